@@ -1,1 +1,31 @@
-//! placeholder
+//! The pixel engine: triangles in, exact pixels out.
+//!
+//! The engine knows no API. It knows [`Surface`]s of pixels in tiles, immutable
+//! [`Texture`]s, a [`DrawState`] as a plain value, and triangles given either
+//! as [`Vertex`] triples (the engine does the set-up of the chosen chip) or as
+//! [`Registers`] (the caller did it). A [`Device`] collects commands and draws
+//! them at explicit flush points, tile by tile on all its threads, with the
+//! same bits and counts for every thread count, tile size and SIMD level.
+//!
+//! Data flows one way: command arena -> set-up -> bins -> tiles -> stages of
+//! the fragment pipeline -> surface. Reading a surface or a counter is a flush.
+
+#![forbid(unsafe_code)]
+
+pub mod fixed;
+pub mod setup;
+pub mod state;
+pub mod target;
+pub mod texture;
+
+mod device;
+mod error;
+mod stats;
+
+pub use device::{ClearValues, Device, DeviceConfig, FlushReason, PixelRun, SurfaceId};
+pub use error::EngineError;
+pub use setup::{Cull, Outcome, Param, Registers, TmuVertex, Vertex, WideParam};
+pub use state::DrawState;
+pub use stats::{Counters, FlushStats};
+pub use target::{PixelFormat, Surface};
+pub use texture::{Level, Texture, TextureDesc};

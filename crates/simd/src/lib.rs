@@ -1,1 +1,36 @@
-//! placeholder
+//! Fixed-width lanes for the pixel engine, at the level the machine offers.
+//!
+//! One pixel lives in one 32-bit lane, always and in order; a colour is two
+//! vectors, each holding a pair of 16-bit channels in every lane: (red, blue)
+//! and (green, alpha), the first of a pair in the low half. Coordinates that
+//! need more than 32 bits are `f64` lanes holding integers below 2^53, which
+//! is exact on every machine.
+//!
+//! An algorithm is written once, generic over [`Simd`], and entered through
+//! [`Level::dispatch`] or [`Simd::vectorize`]. Every level gives the same
+//! bits; [`Scalar`] is the definition of each operation, and the tests compare
+//! every other level with it.
+//!
+//! This crate holds all `unsafe` code of the engine. A token of a level exists
+//! only where the processor was found to have it, so everything above is safe.
+
+mod lanes;
+mod level;
+mod scalar;
+#[cfg(test)]
+mod tests;
+
+#[cfg(target_arch = "aarch64")]
+mod neon;
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+mod wasm;
+#[cfg(target_arch = "x86_64")]
+mod x86;
+
+pub use lanes::{FloatLanes, IntLanes, Kernel, MaskLanes, Simd};
+pub use level::{Level, UnknownLevel};
+pub use scalar::Scalar;
+
+/// The widest vector of any level, in 32-bit lanes. Every level's lane count
+/// divides it, and buffers are padded to it.
+pub const MAX_LANES: usize = 16;

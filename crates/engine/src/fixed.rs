@@ -1,0 +1,82 @@
+//! The chips' number formats, and the conversions into them.
+//!
+//! All roundings from floating point live here. Not-a-number becomes 0 and
+//! values out of range wrap like the low bits of an infinitely wide integer,
+//! so that every input gives one fixed result on every machine.
+
+/// Fraction bits of vertex coordinates (12.4).
+pub const COORD_FRACTION: u32 = 4;
+/// Fraction bits of iterated colours (12.12).
+pub const COLOR_FRACTION: u32 = 12;
+/// Fraction bits of iterated depth (20.12).
+pub const DEPTH_FRACTION: u32 = 12;
+/// Fraction bits of the s, t and w iterators.
+pub const WIDE_FRACTION: u32 = 32;
+
+/// `value * 2^fraction`, truncated toward zero, as the low 64 bits of the
+/// exact integer. Not-a-number and infinities give 0.
+pub fn truncate(value: f32, fraction: u32) -> i64 {
+    // Exact: an f32 has 24 significant bits and the product is only scaled.
+    let scaled = f64::from(value) * (1u64 << fraction) as f64;
+    if !scaled.is_finite() {
+        return 0;
+    }
+    if scaled.abs() < 9.0e18 {
+        return scaled as i64;
+    }
+    // At least 2^62, hence a multiple of 2^38: the low 64 bits of the integer
+    // are its mantissa shifted left.
+    let bits = scaled.to_bits();
+    let mantissa = (bits & ((1 << 52) - 1)) | 1 << 52;
+    let shift = ((bits >> 52) & 0x7ff) as u32 - 1075;
+    let magnitude = mantissa.checked_shl(shift).unwrap_or(0) as i64;
+    if scaled < 0.0 { magnitude.wrapping_neg() } else { magnitude }
+}
+
+/// A screen coordinate in pixels as signed 12.4: truncated toward zero, then
+/// the low 16 bits, sign-extended. Adding 3 * 2^18 to a coordinate therefore
+/// rounds it to a sixteenth and vanishes.
+///
+/// Source: G246, triangle set-up.
+pub fn coord(value: f32) -> i32 {
+    i32::from(truncate(value, COORD_FRACTION) as i16)
+}
+
+/// A colour or alpha value (0..255) or its gradient, 12.12.
+pub fn color(value: f32) -> i32 {
+    truncate(value, COLOR_FRACTION) as i32
+}
+
+/// A depth value (0..65535) or its gradient, 20.12.
+pub fn depth(value: f32) -> i32 {
+    truncate(value, DEPTH_FRACTION) as i32
+}
+
+/// s/w, t/w or 1/w, or a gradient of one, with 32 fraction bits.
+pub fn wide(value: f32) -> i64 {
+    truncate(value, WIDE_FRACTION)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coord_truncates_toward_zero_and_wraps() {
+        assert_eq!(coord(1.99), 31);
+        assert_eq!(coord(-1.99), -31);
+        assert_eq!(coord(786_432.0 + 10.5), 168);
+        assert_eq!(coord(786_432.0 - 10.5), -168);
+        assert_eq!(coord(2048.0), -32768);
+        assert_eq!(coord(f32::NAN), 0);
+        assert_eq!(coord(f32::INFINITY), 0);
+    }
+
+    #[test]
+    fn huge_values_keep_their_low_bits() {
+        assert_eq!(truncate(18_446_744_073_709_551_616.0, 0), 0);
+        assert_eq!(truncate(9_223_372_036_854_775_808.0, 0), i64::MIN);
+        assert_eq!(truncate(-9_223_372_036_854_775_808.0 * 1.5, 0), 1 << 62);
+        assert_eq!(truncate(f32::MAX, 32), 0);
+    }
+}

@@ -1,0 +1,37 @@
+//! Vertices as the engine takes them.
+
+use crate::state::MAX_TMUS;
+
+/// Texture coordinates of one vertex for one texture unit.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TmuVertex {
+    /// s/w; s runs over 256 units along the longer side of the texture.
+    pub s: f32,
+    /// t/w.
+    pub t: f32,
+    /// 1/w of this unit.
+    pub w: f32,
+}
+
+/// A vertex in screen space.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Vertex {
+    /// Column, in pixels.
+    pub x: f32,
+    /// Row, in pixels, counted from the [`crate::state::Origin`].
+    pub y: f32,
+    /// Red, 0..255.
+    pub r: f32,
+    /// Green, 0..255.
+    pub g: f32,
+    /// Blue, 0..255.
+    pub b: f32,
+    /// Alpha, 0..255.
+    pub a: f32,
+    /// Depth, 0..65535.
+    pub z: f32,
+    /// 1/w of the pixel pipeline (w-buffer and fog).
+    pub w: f32,
+    /// Texture coordinates.
+    pub tmu: [TmuVertex; MAX_TMUS],
+}

@@ -1,0 +1,19 @@
+//! The draw state: everything that decides how a fragment becomes a pixel,
+//! as plain values. A front end translates its own state into one
+//! [`DrawState`]; equal values share one compiled pipeline.
+
+mod blend;
+mod combine;
+mod depth;
+mod draw;
+mod fog;
+mod texture;
+
+pub use blend::{Blend, BlendFactor, DITHER_2X2, DITHER_4X4, Dither};
+pub use combine::{
+    Addend, AlphaCombine, AlphaLocal, ColorCombine, ColorLocal, CombineUnit, Factor, Other,
+};
+pub use depth::{AuxWrite, Compare, DepthSource, DepthState};
+pub use draw::{AlphaTest, DrawState, Origin, Rect, Stipple};
+pub use fog::{Fog, FogAmount, FogTable};
+pub use texture::{Filter, LodRange, MAX_TMUS, TextureCombine, TextureFactor, TextureUnit};

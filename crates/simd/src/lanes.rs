@@ -1,0 +1,144 @@
+//! The traits that every level implements.
+
+use core::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Sub};
+
+use crate::Level;
+
+/// A computation that runs at whatever level it is entered with.
+///
+/// `run` must be `#[inline(always)]`, and so must everything between it and
+/// the lane operations: only then is it compiled with the level's instructions.
+pub trait Kernel {
+    /// What the computation returns.
+    type Output;
+    /// Runs the computation with the lanes of `simd`.
+    fn run<S: Simd>(self, simd: S) -> Self::Output;
+}
+
+/// A level's token: proof that the processor has it, and the maker of lanes.
+pub trait Simd: Copy + Send + Sync + 'static {
+    /// 32-bit lanes in a vector: 4, 8 or 16.
+    const LANES: usize;
+    /// Which level this is.
+    const LEVEL: Level;
+    /// 32-bit integers, also seen as pairs of 16-bit integers.
+    type I: IntLanes<M = Self::M>;
+    /// 64-bit floats, as many as there are 32-bit lanes.
+    type F: FloatLanes<I = Self::I, M = Self::M>;
+    /// One yes or no for each lane.
+    type M: MaskLanes;
+
+    /// Runs `kernel` compiled for this level, as a function of its own.
+    fn vectorize<K: Kernel>(self, kernel: K) -> K::Output;
+
+    /// The same integer in every lane.
+    fn splat(self, value: i32) -> Self::I;
+    /// Loads the first `LANES` integers of `from`; it must hold that many.
+    fn load(self, from: &[i32]) -> Self::I;
+    /// Stores into the first `LANES` integers of `to`; it must hold that many.
+    fn store(self, lanes: Self::I, to: &mut [i32]);
+    /// Loads `LANES` 16-bit integers, zero-extended.
+    fn load16(self, from: &[u16]) -> Self::I;
+    /// Stores the low halves of the lanes that are on in `mask`.
+    fn store16(self, lanes: Self::I, to: &mut [u16], mask: Self::M);
+    /// Stores the lanes that are on in `mask`.
+    fn store_masked(self, lanes: Self::I, to: &mut [i32], mask: Self::M);
+    /// The same float in every lane.
+    fn splat_f(self, value: f64) -> Self::F;
+    /// Loads the first `LANES` floats of `from`; it must hold that many.
+    fn load_f(self, from: &[f64]) -> Self::F;
+    /// Stores into the first `LANES` floats of `to`.
+    fn store_f(self, lanes: Self::F, to: &mut [f64]);
+    /// Lane `i` is on when bit `i` of `bits` is set. Higher bits are ignored.
+    fn mask(self, bits: u32) -> Self::M;
+    /// Entry `index & 15` of `table`, lane by lane.
+    fn lookup16(self, table: &[i32; 16], index: Self::I) -> Self::I;
+    /// The low and the high halves of `table[min(index, last)]`, lane by lane,
+    /// the index taken as unsigned. `table` must not be empty.
+    fn load_pairs(self, table: &[u64], index: Self::I) -> (Self::I, Self::I);
+}
+
+/// Integer lanes. Sums and products wrap; `16` in a name means that each lane
+/// is taken as two 16-bit integers.
+pub trait IntLanes:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + BitAnd<Output = Self>
+    + BitOr<Output = Self>
+    + BitXor<Output = Self>
+{
+    /// The mask that comparisons return.
+    type M: MaskLanes;
+
+    /// Low 32 bits of the product.
+    fn mul(self, other: Self) -> Self;
+    /// Shift left by `count` bits, 0 to 31.
+    fn shl(self, count: u32) -> Self;
+    /// Logical shift right by `count` bits, 0 to 31.
+    fn shr(self, count: u32) -> Self;
+    /// Arithmetic shift right by `count` bits, 0 to 31.
+    fn sar(self, count: u32) -> Self;
+    /// Arithmetic shift right of each lane by its own count, 0 to 31.
+    fn sar_each(self, count: Self) -> Self;
+    /// Signed minimum.
+    fn min(self, other: Self) -> Self;
+    /// Signed maximum.
+    fn max(self, other: Self) -> Self;
+    /// Lanes that are equal.
+    fn eq(self, other: Self) -> Self::M;
+    /// Lanes where `self > other`, signed.
+    fn gt(self, other: Self) -> Self::M;
+    /// Lanes of `self` where `mask` is on, of `other` elsewhere.
+    fn select(self, other: Self, mask: Self::M) -> Self;
+
+    /// 16-bit sum.
+    fn add16(self, other: Self) -> Self;
+    /// 16-bit difference.
+    fn sub16(self, other: Self) -> Self;
+    /// Unsigned 16-bit sum, 65535 at most.
+    fn add_sat_u16(self, other: Self) -> Self;
+    /// Low 16 bits of the product.
+    fn mul16(self, other: Self) -> Self;
+    /// High 16 bits of the signed 32-bit product.
+    fn mul_high_i16(self, other: Self) -> Self;
+    /// Signed 16-bit minimum.
+    fn min16(self, other: Self) -> Self;
+    /// Signed 16-bit maximum.
+    fn max16(self, other: Self) -> Self;
+    /// All ones in the halves that are equal, zero elsewhere.
+    fn eq16(self, other: Self) -> Self;
+    /// 16-bit shift left by `count`, 0 to 15.
+    fn shl16(self, count: u32) -> Self;
+    /// 16-bit logical shift right by `count`, 0 to 15.
+    fn shr16(self, count: u32) -> Self;
+    /// In each half: low byte times the low byte of `weights` plus high byte
+    /// times the high byte of `weights`. Bytes are unsigned; weights are below
+    /// 128 and the sum must stay below 32768.
+    fn dot_bytes(self, weights: Self) -> Self;
+}
+
+/// Float lanes. Only correctly rounded operations exist.
+pub trait FloatLanes:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    /// The integer lanes of the same level.
+    type I: IntLanes<M = Self::M>;
+    /// The mask that comparisons return.
+    type M: MaskLanes;
+
+    /// Lanes where `self < other`; false where either is not a number.
+    fn lt(self, other: Self) -> Self::M;
+    /// Floor, limited to the range of `i32`. Not-a-number gives no fixed
+    /// value: mask it away.
+    fn floor_i32(self) -> Self::I;
+    /// The high words of the floats' bit patterns: sign, exponent and the
+    /// first 20 bits of the mantissa.
+    fn high_word(self) -> Self::I;
+}
+
+/// One yes or no for each lane.
+pub trait MaskLanes: Copy + BitAnd<Output = Self> + BitOr<Output = Self> {
+    /// Bit `i` is set where lane `i` is on.
+    fn bits(self) -> u32;
+}

@@ -1,0 +1,268 @@
+//! AVX-512 (F, BW, DQ, VL): sixteen lanes; masks are mask registers.
+
+use core::arch::x86_64::*;
+use core::ops::{BitAnd, BitOr};
+
+use super::{binary, float_operator, operator, shifts};
+use crate::{FloatLanes, IntLanes, Kernel, Level, MaskLanes, Simd};
+
+/// The token of the AVX-512 level.
+#[derive(Clone, Copy, Debug)]
+pub struct Avx512(());
+
+/// Sixteen integers.
+#[derive(Clone, Copy)]
+pub struct I(__m512i);
+/// Sixteen floats.
+#[derive(Clone, Copy)]
+pub struct F(__m512d, __m512d);
+/// Sixteen switches.
+#[derive(Clone, Copy)]
+pub struct M(__mmask16);
+
+impl Avx512 {
+    /// The token, where the machine has all of the features used.
+    #[inline]
+    pub fn detect() -> Option<Self> {
+        (is_x86_feature_detected!("avx512f")
+            && is_x86_feature_detected!("avx512bw")
+            && is_x86_feature_detected!("avx512dq")
+            && is_x86_feature_detected!("avx512vl")
+            && is_x86_feature_detected!("popcnt"))
+        .then_some(Self(()))
+    }
+}
+
+/// The even and the odd words of two registers, in order.
+#[inline(always)]
+fn split_words(a: __m512i, b: __m512i) -> (__m512i, __m512i) {
+    // SAFETY: only called on lanes, which exist only where AVX-512 was detected.
+    unsafe {
+        let even = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+        let odd = _mm512_add_epi32(even, _mm512_set1_epi32(1));
+        (_mm512_permutex2var_epi32(a, even, b), _mm512_permutex2var_epi32(a, odd, b))
+    }
+}
+
+impl Simd for Avx512 {
+    const LANES: usize = 16;
+    const LEVEL: Level = Level::Avx512;
+    type I = I;
+    type F = F;
+    type M = M;
+
+    #[inline(always)]
+    fn vectorize<K: Kernel>(self, kernel: K) -> K::Output {
+        #[target_feature(enable = "avx512f,avx512bw,avx512dq,avx512vl,avx2,popcnt")]
+        fn inner<K: Kernel>(simd: Avx512, kernel: K) -> K::Output {
+            kernel.run(simd)
+        }
+        // SAFETY: the token proves every feature; AVX-512 F implies AVX2.
+        unsafe { inner(self, kernel) }
+    }
+    #[inline(always)]
+    fn splat(self, value: i32) -> I {
+        // SAFETY: the token proves AVX-512.
+        I(unsafe { _mm512_set1_epi32(value) })
+    }
+    #[inline(always)]
+    fn load(self, from: &[i32]) -> I {
+        let from = &from[..16];
+        // SAFETY: the slice holds 64 bytes; the load takes any alignment.
+        I(unsafe { _mm512_loadu_si512(from.as_ptr().cast()) })
+    }
+    #[inline(always)]
+    fn store(self, lanes: I, to: &mut [i32]) {
+        let to = &mut to[..16];
+        // SAFETY: the slice holds 64 bytes; the store takes any alignment.
+        unsafe { _mm512_storeu_si512(to.as_mut_ptr().cast(), lanes.0) }
+    }
+    #[inline(always)]
+    fn load16(self, from: &[u16]) -> I {
+        let from = &from[..16];
+        // SAFETY: the slice holds 32 bytes; the token proves AVX-512.
+        I(unsafe { _mm512_cvtepu16_epi32(_mm256_loadu_si256(from.as_ptr().cast())) })
+    }
+    #[inline(always)]
+    fn store16(self, lanes: I, to: &mut [u16], mask: M) {
+        let to = &mut to[..16];
+        // SAFETY: the slice holds 32 bytes; the token proves AVX-512.
+        unsafe {
+            let new = _mm512_cvtepi32_epi16(lanes.0);
+            _mm256_mask_storeu_epi16(to.as_mut_ptr().cast(), mask.0, new);
+        }
+    }
+    #[inline(always)]
+    fn store_masked(self, lanes: I, to: &mut [i32], mask: M) {
+        let to = &mut to[..16];
+        // SAFETY: the slice holds 64 bytes; the token proves AVX-512.
+        unsafe { _mm512_mask_storeu_epi32(to.as_mut_ptr(), mask.0, lanes.0) }
+    }
+    #[inline(always)]
+    fn splat_f(self, value: f64) -> F {
+        // SAFETY: the token proves AVX-512.
+        unsafe { F(_mm512_set1_pd(value), _mm512_set1_pd(value)) }
+    }
+    #[inline(always)]
+    fn load_f(self, from: &[f64]) -> F {
+        let from = &from[..16];
+        // SAFETY: the slice holds 128 bytes.
+        unsafe { F(_mm512_loadu_pd(from.as_ptr()), _mm512_loadu_pd(from.as_ptr().add(8))) }
+    }
+    #[inline(always)]
+    fn store_f(self, lanes: F, to: &mut [f64]) {
+        let to = &mut to[..16];
+        // SAFETY: the slice holds 128 bytes.
+        unsafe {
+            _mm512_storeu_pd(to.as_mut_ptr(), lanes.0);
+            _mm512_storeu_pd(to.as_mut_ptr().add(8), lanes.1);
+        }
+    }
+    #[inline(always)]
+    fn mask(self, bits: u32) -> M {
+        M(bits as u16)
+    }
+    #[inline(always)]
+    fn lookup16(self, table: &[i32; 16], index: I) -> I {
+        let table = self.load(table);
+        // SAFETY: the token proves AVX-512; the permute uses the low four bits.
+        I(unsafe { _mm512_permutexvar_epi32(index.0, table.0) })
+    }
+    #[inline(always)]
+    fn load_pairs(self, table: &[u64], index: I) -> (I, I) {
+        let last = table.len() - 1;
+        let mut at = [0; 16];
+        // SAFETY: the token proves AVX-512. Each index is at most `last`, so
+        // the entries read lie inside `table`.
+        unsafe {
+            let last = _mm512_set1_epi32(last.min(0xffff_ffff) as i32);
+            self.store(I(_mm512_min_epu32(index.0, last)), &mut at);
+            let four = |i: usize| {
+                let entry = |i: usize| *table.get_unchecked(at[i] as u32 as usize) as i64;
+                _mm256_set_epi64x(entry(i + 3), entry(i + 2), entry(i + 1), entry(i))
+            };
+            let eight = |i| _mm512_inserti64x4::<1>(_mm512_castsi256_si512(four(i)), four(i + 4));
+            let (low, high) = split_words(eight(0), eight(8));
+            (I(low), I(high))
+        }
+    }
+}
+
+impl IntLanes for I {
+    type M = M;
+
+    binary! {
+        mul _mm512_mullo_epi32
+        min _mm512_min_epi32
+        max _mm512_max_epi32
+        sar_each _mm512_srav_epi32
+        add16 _mm512_add_epi16
+        sub16 _mm512_sub_epi16
+        add_sat_u16 _mm512_adds_epu16
+        mul16 _mm512_mullo_epi16
+        mul_high_i16 _mm512_mulhi_epi16
+        min16 _mm512_min_epi16
+        max16 _mm512_max_epi16
+        dot_bytes _mm512_maddubs_epi16
+    }
+    shifts! {
+        shl _mm512_sll_epi32
+        shr _mm512_srl_epi32
+        sar _mm512_sra_epi32
+        shl16 _mm512_sll_epi16
+        shr16 _mm512_srl_epi16
+    }
+    #[inline(always)]
+    fn eq16(self, other: I) -> I {
+        // SAFETY: lanes exist only where AVX-512 was detected.
+        I(unsafe { _mm512_movm_epi16(_mm512_cmpeq_epi16_mask(self.0, other.0)) })
+    }
+    #[inline(always)]
+    fn eq(self, other: I) -> M {
+        // SAFETY: lanes exist only where AVX-512 was detected.
+        M(unsafe { _mm512_cmpeq_epi32_mask(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn gt(self, other: I) -> M {
+        // SAFETY: lanes exist only where AVX-512 was detected.
+        M(unsafe { _mm512_cmpgt_epi32_mask(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn select(self, other: I, mask: M) -> I {
+        // SAFETY: lanes exist only where AVX-512 was detected.
+        I(unsafe { _mm512_mask_blend_epi32(mask.0, other.0, self.0) })
+    }
+}
+
+impl FloatLanes for F {
+    type I = I;
+    type M = M;
+
+    #[inline(always)]
+    fn lt(self, other: F) -> M {
+        // SAFETY: lanes exist only where AVX-512 was detected.
+        unsafe {
+            let low = _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, other.0);
+            let high = _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.1, other.1);
+            M(u16::from(low) | u16::from(high) << 8)
+        }
+    }
+    #[inline(always)]
+    fn floor_i32(self) -> I {
+        #[inline(always)]
+        fn half(x: __m512d) -> __m256i {
+            const FLOOR: i32 = _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC;
+            // SAFETY: lanes exist only where AVX-512 was detected.
+            unsafe {
+                let limited = _mm512_max_pd(
+                    _mm512_min_pd(
+                        _mm512_roundscale_pd::<FLOOR>(x),
+                        _mm512_set1_pd(i32::MAX as f64),
+                    ),
+                    _mm512_set1_pd(i32::MIN as f64),
+                );
+                _mm512_cvttpd_epi32(limited)
+            }
+        }
+        // SAFETY: lanes exist only where AVX-512 was detected.
+        I(unsafe { _mm512_inserti64x4::<1>(_mm512_castsi256_si512(half(self.0)), half(self.1)) })
+    }
+    #[inline(always)]
+    fn high_word(self) -> I {
+        // SAFETY: lanes exist only where AVX-512 was detected.
+        let (a, b) = unsafe { (_mm512_castpd_si512(self.0), _mm512_castpd_si512(self.1)) };
+        I(split_words(a, b).1)
+    }
+}
+
+impl MaskLanes for M {
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        u32::from(self.0)
+    }
+}
+
+operator!(I, Add, add, _mm512_add_epi32);
+operator!(I, Sub, sub, _mm512_sub_epi32);
+operator!(I, BitAnd, bitand, _mm512_and_si512);
+operator!(I, BitOr, bitor, _mm512_or_si512);
+operator!(I, BitXor, bitxor, _mm512_xor_si512);
+float_operator!(F, Add, add, _mm512_add_pd);
+float_operator!(F, Sub, sub, _mm512_sub_pd);
+float_operator!(F, Mul, mul, _mm512_mul_pd);
+float_operator!(F, Div, div, _mm512_div_pd);
+
+impl BitAnd for M {
+    type Output = M;
+    #[inline(always)]
+    fn bitand(self, other: M) -> M {
+        M(self.0 & other.0)
+    }
+}
+impl BitOr for M {
+    type Output = M;
+    #[inline(always)]
+    fn bitor(self, other: M) -> M {
+        M(self.0 | other.0)
+    }
+}

@@ -1,0 +1,66 @@
+//! SSE4.1, AVX2 and AVX-512 lanes.
+//!
+//! Every `unsafe` block here calls intrinsics whose features the token
+//! proves: a token is only made by `detect`, and lanes only by a token.
+//! Loads and stores check their slices first.
+
+mod avx2;
+mod avx512;
+mod sse41;
+
+pub use avx2::Avx2;
+pub use avx512::Avx512;
+pub use sse41::Sse41;
+
+/// Implements an operator trait by an intrinsic on the wrapped register.
+macro_rules! operator {
+    ($lanes:ident, $trait:ident, $name:ident, $intrinsic:ident) => {
+        impl core::ops::$trait for $lanes {
+            type Output = $lanes;
+            #[inline(always)]
+            fn $name(self, other: $lanes) -> $lanes {
+                // SAFETY: lanes exist only where the level was detected.
+                $lanes(unsafe { $intrinsic(self.0, other.0) })
+            }
+        }
+    };
+}
+
+/// Implements an operator trait on a pair of float registers.
+macro_rules! float_operator {
+    ($lanes:ident, $trait:ident, $name:ident, $intrinsic:ident) => {
+        impl core::ops::$trait for $lanes {
+            type Output = $lanes;
+            #[inline(always)]
+            fn $name(self, other: $lanes) -> $lanes {
+                // SAFETY: lanes exist only where the level was detected.
+                unsafe { $lanes($intrinsic(self.0, other.0), $intrinsic(self.1, other.1)) }
+            }
+        }
+    };
+}
+
+/// Methods `fn name(self, other) -> Self` by one intrinsic each.
+macro_rules! binary {
+    ($($name:ident $intrinsic:ident)*) => {$(
+        #[inline(always)]
+        fn $name(self, other: Self) -> Self {
+            // SAFETY: lanes exist only where the level was detected.
+            Self(unsafe { $intrinsic(self.0, other.0) })
+        }
+    )*};
+}
+
+/// Methods `fn name(self, count) -> Self`: shifts by a count that is a
+/// constant once inlined.
+macro_rules! shifts {
+    ($($name:ident $intrinsic:ident)*) => {$(
+        #[inline(always)]
+        fn $name(self, count: u32) -> Self {
+            // SAFETY: lanes exist only where the level was detected.
+            Self(unsafe { $intrinsic(self.0, _mm_cvtsi32_si128(count as i32)) })
+        }
+    )*};
+}
+
+pub(crate) use {binary, float_operator, operator, shifts};

@@ -1,0 +1,265 @@
+//! SSE4.1: four lanes; masks are registers.
+
+use core::arch::x86_64::*;
+
+use super::{binary, float_operator, operator, shifts};
+use crate::{FloatLanes, IntLanes, Kernel, Level, MaskLanes, Simd};
+
+/// The token of the SSE4.1 level.
+#[derive(Clone, Copy, Debug)]
+pub struct Sse41(());
+
+/// Four integers.
+#[derive(Clone, Copy)]
+pub struct I(__m128i);
+/// Four floats.
+#[derive(Clone, Copy)]
+pub struct F(__m128d, __m128d);
+/// Four switches, all ones or zero.
+#[derive(Clone, Copy)]
+pub struct M(__m128i);
+
+impl Sse41 {
+    /// The token, where the machine has SSE4.1.
+    #[inline]
+    pub fn detect() -> Option<Self> {
+        is_x86_feature_detected!("sse4.1").then_some(Self(()))
+    }
+}
+
+/// The even and the odd words of two registers.
+#[inline(always)]
+fn split_words(a: __m128i, b: __m128i) -> (__m128i, __m128i) {
+    // SAFETY: SSE2, part of x86-64.
+    unsafe {
+        let (a, b) = (_mm_castsi128_ps(a), _mm_castsi128_ps(b));
+        (
+            _mm_castps_si128(_mm_shuffle_ps::<0x88>(a, b)),
+            _mm_castps_si128(_mm_shuffle_ps::<0xdd>(a, b)),
+        )
+    }
+}
+
+impl Simd for Sse41 {
+    const LANES: usize = 4;
+    const LEVEL: Level = Level::Sse41;
+    type I = I;
+    type F = F;
+    type M = M;
+
+    #[inline(always)]
+    fn vectorize<K: Kernel>(self, kernel: K) -> K::Output {
+        #[target_feature(enable = "sse4.1,ssse3,popcnt")]
+        fn inner<K: Kernel>(simd: Sse41, kernel: K) -> K::Output {
+            kernel.run(simd)
+        }
+        // SAFETY: the token proves SSE4.1; every such processor has the others.
+        unsafe { inner(self, kernel) }
+    }
+    #[inline(always)]
+    fn splat(self, value: i32) -> I {
+        // SAFETY: SSE2.
+        I(unsafe { _mm_set1_epi32(value) })
+    }
+    #[inline(always)]
+    fn load(self, from: &[i32]) -> I {
+        let from = &from[..4];
+        // SAFETY: the slice holds 16 bytes; the load takes any alignment.
+        I(unsafe { _mm_loadu_si128(from.as_ptr().cast()) })
+    }
+    #[inline(always)]
+    fn store(self, lanes: I, to: &mut [i32]) {
+        let to = &mut to[..4];
+        // SAFETY: the slice holds 16 bytes; the store takes any alignment.
+        unsafe { _mm_storeu_si128(to.as_mut_ptr().cast(), lanes.0) }
+    }
+    #[inline(always)]
+    fn load16(self, from: &[u16]) -> I {
+        let from = &from[..4];
+        // SAFETY: the slice holds 8 bytes; the token proves SSE4.1.
+        I(unsafe { _mm_cvtepu16_epi32(_mm_loadl_epi64(from.as_ptr().cast())) })
+    }
+    #[inline(always)]
+    fn store16(self, lanes: I, to: &mut [u16], mask: M) {
+        let to = &mut to[..4];
+        // SAFETY: the slice holds 8 bytes; the token proves SSE4.1.
+        unsafe {
+            let low = _mm_and_si128(lanes.0, _mm_set1_epi32(0xffff));
+            let new = _mm_packus_epi32(low, low);
+            let on = _mm_packs_epi32(mask.0, mask.0);
+            let old = _mm_loadl_epi64(to.as_ptr().cast());
+            _mm_storel_epi64(to.as_mut_ptr().cast(), _mm_blendv_epi8(old, new, on));
+        }
+    }
+    #[inline(always)]
+    fn store_masked(self, lanes: I, to: &mut [i32], mask: M) {
+        let old = self.load(to);
+        self.store(lanes.select(old, mask), to);
+    }
+    #[inline(always)]
+    fn splat_f(self, value: f64) -> F {
+        // SAFETY: SSE2.
+        unsafe { F(_mm_set1_pd(value), _mm_set1_pd(value)) }
+    }
+    #[inline(always)]
+    fn load_f(self, from: &[f64]) -> F {
+        let from = &from[..4];
+        // SAFETY: the slice holds 32 bytes.
+        unsafe { F(_mm_loadu_pd(from.as_ptr()), _mm_loadu_pd(from.as_ptr().add(2))) }
+    }
+    #[inline(always)]
+    fn store_f(self, lanes: F, to: &mut [f64]) {
+        let to = &mut to[..4];
+        // SAFETY: the slice holds 32 bytes.
+        unsafe {
+            _mm_storeu_pd(to.as_mut_ptr(), lanes.0);
+            _mm_storeu_pd(to.as_mut_ptr().add(2), lanes.1);
+        }
+    }
+    #[inline(always)]
+    fn mask(self, bits: u32) -> M {
+        // SAFETY: SSE2.
+        unsafe {
+            let each = _mm_setr_epi32(1, 2, 4, 8);
+            M(_mm_cmpeq_epi32(_mm_and_si128(_mm_set1_epi32(bits as i32), each), each))
+        }
+    }
+    #[inline(always)]
+    fn lookup16(self, table: &[i32; 16], index: I) -> I {
+        let mut at = [0; 4];
+        self.store(index, &mut at);
+        self.load(&[
+            table[(at[0] & 15) as usize],
+            table[(at[1] & 15) as usize],
+            table[(at[2] & 15) as usize],
+            table[(at[3] & 15) as usize],
+        ])
+    }
+    #[inline(always)]
+    fn load_pairs(self, table: &[u64], index: I) -> (I, I) {
+        let last = table.len() - 1;
+        let mut at = [0; 4];
+        // SAFETY: the token proves SSE4.1. Each index is at most `last`, so the
+        // entries read lie inside `table`.
+        unsafe {
+            let index = I(_mm_min_epu32(index.0, _mm_set1_epi32(last.min(0xffff_ffff) as i32)));
+            self.store(index, &mut at);
+            let entry = |i: usize| *table.get_unchecked(at[i] as u32 as usize) as i64;
+            let (low, high) =
+                split_words(_mm_set_epi64x(entry(1), entry(0)), _mm_set_epi64x(entry(3), entry(2)));
+            (I(low), I(high))
+        }
+    }
+}
+
+impl IntLanes for I {
+    type M = M;
+
+    binary! {
+        mul _mm_mullo_epi32
+        min _mm_min_epi32
+        max _mm_max_epi32
+        add16 _mm_add_epi16
+        sub16 _mm_sub_epi16
+        add_sat_u16 _mm_adds_epu16
+        mul16 _mm_mullo_epi16
+        mul_high_i16 _mm_mulhi_epi16
+        min16 _mm_min_epi16
+        max16 _mm_max_epi16
+        eq16 _mm_cmpeq_epi16
+        dot_bytes _mm_maddubs_epi16
+    }
+    shifts! {
+        shl _mm_sll_epi32
+        shr _mm_srl_epi32
+        sar _mm_sra_epi32
+        shl16 _mm_sll_epi16
+        shr16 _mm_srl_epi16
+    }
+    #[inline(always)]
+    fn sar_each(self, count: I) -> I {
+        let (mut value, mut by) = ([0; 4], [0; 4]);
+        // SAFETY: both arrays hold 16 bytes.
+        unsafe {
+            _mm_storeu_si128(value.as_mut_ptr().cast(), self.0);
+            _mm_storeu_si128(by.as_mut_ptr().cast(), count.0);
+        }
+        for (value, by) in value.iter_mut().zip(by) {
+            *value >>= by & 31;
+        }
+        // SAFETY: the array holds 16 bytes.
+        I(unsafe { _mm_loadu_si128(value.as_ptr().cast::<__m128i>()) })
+    }
+    #[inline(always)]
+    fn eq(self, other: I) -> M {
+        // SAFETY: SSE2.
+        M(unsafe { _mm_cmpeq_epi32(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn gt(self, other: I) -> M {
+        // SAFETY: SSE2.
+        M(unsafe { _mm_cmpgt_epi32(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn select(self, other: I, mask: M) -> I {
+        // SAFETY: lanes exist only where SSE4.1 was detected.
+        I(unsafe { _mm_blendv_epi8(other.0, self.0, mask.0) })
+    }
+}
+
+impl FloatLanes for F {
+    type I = I;
+    type M = M;
+
+    #[inline(always)]
+    fn lt(self, other: F) -> M {
+        // SAFETY: SSE2.
+        unsafe {
+            let low = _mm_castpd_si128(_mm_cmplt_pd(self.0, other.0));
+            let high = _mm_castpd_si128(_mm_cmplt_pd(self.1, other.1));
+            M(split_words(low, high).0)
+        }
+    }
+    #[inline(always)]
+    fn floor_i32(self) -> I {
+        #[inline(always)]
+        fn half(x: __m128d) -> __m128i {
+            // SAFETY: lanes exist only where SSE4.1 was detected.
+            unsafe {
+                let limited = _mm_max_pd(
+                    _mm_min_pd(_mm_floor_pd(x), _mm_set1_pd(i32::MAX as f64)),
+                    _mm_set1_pd(i32::MIN as f64),
+                );
+                _mm_cvttpd_epi32(limited)
+            }
+        }
+        // SAFETY: SSE2.
+        I(unsafe { _mm_unpacklo_epi64(half(self.0), half(self.1)) })
+    }
+    #[inline(always)]
+    fn high_word(self) -> I {
+        // SAFETY: SSE2.
+        let (a, b) = unsafe { (_mm_castpd_si128(self.0), _mm_castpd_si128(self.1)) };
+        I(split_words(a, b).1)
+    }
+}
+
+impl MaskLanes for M {
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        // SAFETY: SSE2.
+        unsafe { _mm_movemask_ps(_mm_castsi128_ps(self.0)) as u32 }
+    }
+}
+
+operator!(I, Add, add, _mm_add_epi32);
+operator!(I, Sub, sub, _mm_sub_epi32);
+operator!(I, BitAnd, bitand, _mm_and_si128);
+operator!(I, BitOr, bitor, _mm_or_si128);
+operator!(I, BitXor, bitxor, _mm_xor_si128);
+float_operator!(F, Add, add, _mm_add_pd);
+float_operator!(F, Sub, sub, _mm_sub_pd);
+float_operator!(F, Mul, mul, _mm_mul_pd);
+float_operator!(F, Div, div, _mm_div_pd);
+operator!(M, BitAnd, bitand, _mm_and_si128);
+operator!(M, BitOr, bitor, _mm_or_si128);
