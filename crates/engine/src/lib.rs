@@ -18,8 +18,12 @@ pub mod state;
 pub mod target;
 pub mod texture;
 
+mod bins;
 mod device;
 mod error;
+mod kernel;
+mod log2;
+mod raster;
 mod stats;
 
 pub use device::{ClearValues, Device, DeviceConfig, FlushReason, PixelRun, SurfaceId};

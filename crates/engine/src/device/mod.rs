@@ -1,12 +1,20 @@
 //! The device: surfaces, the command arena and the flush points.
 
+pub(crate) mod arena;
+
+mod access;
+mod flush;
+
 use std::sync::Arc;
 
 use fillrate_simd::Level;
 
+use self::arena::{Arena, BatchState, Clear, Command, Pixel, Run};
+use crate::bins::Chunk;
 use crate::error::EngineError;
+use crate::kernel::Pipeline;
 use crate::setup::{Cull, Registers, Vertex};
-use crate::state::{Dither, DrawState, MAX_TMUS, Rect};
+use crate::state::{Dither, DrawState, MAX_TMUS, Origin, Rect};
 use crate::stats::{Counters, FlushStats};
 use crate::target::{PixelFormat, Surface, TileSize};
 use crate::texture::Texture;
@@ -74,25 +82,57 @@ pub struct PixelRun<'a> {
     pub depths: &'a [u16],
 }
 
+/// The draw state as it was last set.
+type CurrentState = (DrawState, [Option<Arc<Texture>>; MAX_TMUS]);
+
 /// A set of surfaces and the commands waiting to be drawn on them.
 #[derive(Debug)]
 pub struct Device {
     config: DeviceConfig,
+    /// Helpers besides the caller; none with one thread.
+    pool: Option<rayon::ThreadPool>,
+    surfaces: Vec<Option<Surface>>,
+    color: Option<SurfaceId>,
+    aux: Option<SurfaceId>,
+    arena: Arena,
+    chunks: Vec<Chunk>,
+    current: CurrentState,
+    /// Index of the current state's entry in the arena, once something used it.
+    state: Option<u32>,
+    counters: Counters,
+    flushes: FlushStats,
 }
 
-#[allow(unused_variables)]
 impl Device {
     /// A device without surfaces.
     ///
     /// # Errors
     /// [`EngineError::Threads`] where workers cannot be started.
     pub fn new(config: DeviceConfig) -> Result<Device, EngineError> {
-        Ok(Device { config })
+        let pool = match config.threads {
+            0 | 1 => None,
+            threads => Some(start_pool(threads - 1)?),
+        };
+        Ok(Device {
+            config,
+            pool,
+            surfaces: Vec::new(),
+            color: None,
+            aux: None,
+            arena: Arena::default(),
+            chunks: Vec::new(),
+            current: (DrawState::default(), [const { None }; MAX_TMUS]),
+            state: None,
+            counters: Counters::default(),
+            flushes: FlushStats::default(),
+        })
     }
+
     /// How the device works.
     pub fn config(&self) -> &DeviceConfig {
         &self.config
     }
+
     /// Makes a surface of zeros.
     ///
     /// # Errors
@@ -103,15 +143,27 @@ impl Device {
         height: u32,
         format: PixelFormat,
     ) -> Result<SurfaceId, EngineError> {
-        Err(EngineError::SurfaceSize { width, height })
+        let surface = Surface::new(width, height, format, self.config.tile)?;
+        let id = SurfaceId(self.surfaces.len() as u32);
+        self.surfaces.push(Some(surface));
+        Ok(id)
     }
-    /// Frees a surface.
+
+    /// Frees a surface. Where it was the target, nothing is drawn until
+    /// another is set.
     ///
     /// # Errors
     /// [`EngineError::UnknownSurface`].
     pub fn destroy_surface(&mut self, id: SurfaceId) -> Result<(), EngineError> {
-        Err(EngineError::UnknownSurface)
+        self.peek(id)?;
+        if self.color == Some(id) || self.aux == Some(id) {
+            self.flush(FlushReason::Target);
+            (self.color, self.aux) = (None, None);
+        }
+        self.surfaces[id.0 as usize] = None;
+        Ok(())
     }
+
     /// Chooses where to draw. A change is a flush.
     ///
     /// # Errors
@@ -122,63 +174,153 @@ impl Device {
         color: SurfaceId,
         aux: Option<SurfaceId>,
     ) -> Result<(), EngineError> {
-        Err(EngineError::UnknownSurface)
+        let surface = self.peek(color)?;
+        if !surface.format().is_color() {
+            return Err(EngineError::WrongFormat { format: surface.format(), usage: "colour" });
+        }
+        if let Some(aux) = aux {
+            let aux = self.peek(aux)?;
+            if aux.format() != PixelFormat::Aux16 {
+                return Err(EngineError::WrongFormat { format: aux.format(), usage: "aux" });
+            }
+            let size = |s: &Surface| (s.width(), s.height());
+            if size(surface) != size(aux) {
+                return Err(EngineError::TargetMismatch { color: size(surface), aux: size(aux) });
+            }
+        }
+        if self.color != Some(color) || self.aux != aux {
+            self.flush(FlushReason::Target);
+            (self.color, self.aux) = (Some(color), aux);
+            self.arena.states.clear();
+            self.state = None;
+        }
+        Ok(())
     }
+
     /// Chooses how to draw what follows. A unit of `state` without a texture
     /// samples transparent black.
-    pub fn set_state(&mut self, state: &DrawState, textures: [Option<Arc<Texture>>; MAX_TMUS]) {}
+    pub fn set_state(&mut self, state: &DrawState, textures: [Option<Arc<Texture>>; MAX_TMUS]) {
+        let same = |a: &Option<Arc<Texture>>, b: &Option<Arc<Texture>>| match (a, b) {
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            (None, None) => true,
+            _ => false,
+        };
+        let unchanged = self.current.0 == *state
+            && self.current.1.iter().zip(&textures).all(|(a, b)| same(a, b));
+        if !unchanged {
+            self.current = (*state, textures);
+            self.state = None;
+        }
+    }
+
     /// Draws a triangle by the current state, later.
-    pub fn draw_triangle(&mut self, vertices: [&Vertex; 3], cull: Cull) {}
+    pub fn draw_triangle(&mut self, vertices: [&Vertex; 3], cull: Cull) {
+        let Some(state) = self.use_state() else { return };
+        let index = self.arena.vertices.len() as u32;
+        self.arena.vertices.push(vertices.map(|v| *v));
+        self.arena.commands.push(Command::Triangle { vertices: index, cull, state });
+    }
+
     /// Draws a triangle that was set up elsewhere, later.
-    pub fn launch(&mut self, registers: &Registers) {}
-    /// Draws ready-made fragments, later.
-    pub fn draw_pixels(&mut self, run: &PixelRun<'_>) {}
+    pub fn launch(&mut self, registers: &Registers) {
+        let Some(state) = self.use_state() else { return };
+        let index = self.arena.registers.len() as u32;
+        self.arena.registers.push(*registers);
+        self.arena.commands.push(Command::Launch { registers: index, state });
+    }
+
+    /// Draws ready-made fragments, later. Fragments outside the target, and
+    /// those without a depth, are dropped.
+    pub fn draw_pixels(&mut self, run: &PixelRun<'_>) {
+        let Some(state) = self.use_state() else { return };
+        let has_aux = self.aux.is_some();
+        let batch = &mut self.arena.states[state as usize];
+        let (width, height) = (batch.screen.width, batch.screen.height);
+        if run.x >= width || run.y >= height {
+            return;
+        }
+        let count = run.colors.len().min(run.depths.len()).min((width - run.x) as usize);
+        if count == 0 {
+            return;
+        }
+        batch
+            .pixel_pipeline
+            .get_or_insert_with(|| Box::new(Pipeline::for_pixels(&self.current.0, has_aux)));
+        let y = match self.current.0.origin {
+            Origin::UpperLeft => run.y,
+            Origin::LowerLeft => height - 1 - run.y,
+        };
+        let arena = &mut self.arena;
+        let first = arena.pixels.len() as u32;
+        let fragments = run.colors.iter().zip(run.depths).take(count);
+        arena.pixels.extend(fragments.map(|(&argb, &depth)| Pixel { argb, depth }));
+        arena.commands.push(Command::Pixels(arena.runs.len() as u32));
+        arena.runs.push(Run { state, x: run.x, y, first, count: count as u32 });
+    }
+
     /// Fills a rectangle, later; rows count from the top of the screen.
-    pub fn clear(&mut self, rect: Rect, values: ClearValues) {}
-    /// Draws everything collected so far.
-    pub fn flush(&mut self, reason: FlushReason) {}
+    pub fn clear(&mut self, rect: Rect, values: ClearValues) {
+        let Some(color) = self.color else { return };
+        let Ok(surface) = self.peek(color) else { return };
+        let rect = rect.intersect(&surface.bounds());
+        if rect.is_empty() {
+            return;
+        }
+        self.make_room();
+        self.arena.commands.push(Command::Clear(self.arena.clears.len() as u32));
+        self.arena.clears.push(Clear { rect, values });
+    }
+
     /// What happened since the last reset. A flush.
     pub fn counters(&mut self) -> Counters {
-        Counters::default()
+        self.flush(FlushReason::Counters);
+        self.counters
     }
+
     /// Sets all counters to 0. A flush.
-    pub fn reset_counters(&mut self) {}
+    pub fn reset_counters(&mut self) {
+        self.flush(FlushReason::Counters);
+        self.counters = Counters::default();
+    }
+
     /// How often and why the device flushed.
     pub fn flush_stats(&self) -> FlushStats {
-        FlushStats::default()
+        self.flushes
     }
-    /// A surface, up to date. A flush.
-    ///
-    /// # Errors
-    /// [`EngineError::UnknownSurface`].
-    pub fn surface(&mut self, id: SurfaceId) -> Result<&mut Surface, EngineError> {
-        Err(EngineError::UnknownSurface)
+
+    /// The arena's entry of the current state; `None` without a target.
+    fn use_state(&mut self) -> Option<u32> {
+        self.make_room();
+        if let Some(state) = self.state {
+            return Some(state);
+        }
+        let size = {
+            let surface = self.peek(self.color?).ok()?;
+            (surface.width(), surface.height())
+        };
+        let (state, textures) = &self.current;
+        let index = self.arena.states.len() as u32;
+        self.arena.states.push(BatchState::new(state, textures, size, self.aux.is_some()));
+        self.state = Some(index);
+        Some(index)
     }
-    /// Copies a rectangle of a 16-bit surface out; rows are `stride` elements
-    /// apart. Parts outside the surface or beyond `to` are left alone. A flush.
-    ///
-    /// # Errors
-    /// [`EngineError::UnknownSurface`], [`EngineError::WrongFormat`].
-    pub fn read16(
-        &mut self,
-        id: SurfaceId,
-        rect: Rect,
-        to: &mut [u16],
-        stride: usize,
-    ) -> Result<(), EngineError> {
-        Err(EngineError::UnknownSurface)
+
+    fn make_room(&mut self) {
+        if self.arena.is_full() {
+            self.flush(FlushReason::Full);
+        }
     }
-    /// Copies a rectangle into a 16-bit surface; see [`Device::read16`].
-    ///
-    /// # Errors
-    /// [`EngineError::UnknownSurface`], [`EngineError::WrongFormat`].
-    pub fn write16(
-        &mut self,
-        id: SurfaceId,
-        rect: Rect,
-        from: &[u16],
-        stride: usize,
-    ) -> Result<(), EngineError> {
-        Err(EngineError::UnknownSurface)
+
+    /// A surface as it was at the last flush.
+    fn peek(&self, id: SurfaceId) -> Result<&Surface, EngineError> {
+        self.surfaces.get(id.0 as usize).and_then(Option::as_ref).ok_or(EngineError::UnknownSurface)
     }
+}
+
+fn start_pool(helpers: usize) -> Result<rayon::ThreadPool, EngineError> {
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(helpers)
+        .thread_name(|i| format!("fillrate-{i}"))
+        .build()
+        .map_err(|error| EngineError::Threads(error.to_string()))
 }

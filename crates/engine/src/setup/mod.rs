@@ -1,9 +1,11 @@
 //! Triangle set-up: from vertices to the registers of a rasterizer chip.
 
+mod planes;
 mod registers;
 mod sst1;
 mod vertex;
 
+pub(crate) use planes::{Plane32, Plane64, Screen, Triangle, prepare};
 pub use registers::{Param, Registers, WideParam};
 pub use sst1::{Cull, Outcome, triangle};
 pub use vertex::{TmuVertex, Vertex};

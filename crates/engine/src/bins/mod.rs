@@ -1,0 +1,191 @@
+//! Set-up and binning: which tile draws what, in submission order.
+//!
+//! The arena is cut into chunks. Workers take whole chunks, set their
+//! triangles up and sort them into tiles; a tile later walks the chunks in
+//! order, so submission order is kept whoever worked on what.
+
+use core::ops::Range;
+
+use crate::device::arena::{Arena, Command, Run};
+use crate::setup::{Outcome, Registers, Triangle, prepare, triangle};
+use crate::state::Rect;
+use crate::stats::Counters;
+
+/// Commands of a chunk.
+pub(crate) const CHUNK: usize = 512;
+
+/// Something a tile has to do. The numbers index the chunk's triangles, or the
+/// arena's clears and runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Entry {
+    Triangle(u32),
+    Clear(u32),
+    Pixels(u32),
+}
+
+/// The tiles of a target.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Grid {
+    /// log2 of a tile's side.
+    pub bits: u32,
+    pub across: u32,
+    pub down: u32,
+    /// The target's pixels.
+    pub bounds: Rect,
+}
+
+impl Grid {
+    pub fn len(&self) -> usize {
+        (self.across * self.down) as usize
+    }
+
+    /// The pixels of a tile, those beyond the target's edge included.
+    pub fn tile(&self, index: usize) -> Rect {
+        let side = 1 << self.bits;
+        let (x, y) = (index as u32 % self.across * side, index as u32 / self.across * side);
+        Rect::new(x, y, x + side, y + side)
+    }
+
+    /// Tile columns and rows that a rectangle inside the target touches.
+    fn touched(&self, rect: &Rect) -> (Range<u32>, Range<u32>) {
+        let range = |from: u32, to: u32| from >> self.bits..((to - 1) >> self.bits) + 1;
+        (range(rect.x0, rect.x1), range(rect.y0, rect.y1))
+    }
+}
+
+/// A part of the arena, set up and binned.
+#[derive(Debug, Default)]
+pub(crate) struct Chunk {
+    pub triangles: Vec<Triangle>,
+    pub counters: Counters,
+    pairs: Vec<(u32, Entry)>,
+    starts: Vec<u32>,
+    entries: Vec<Entry>,
+}
+
+impl Chunk {
+    /// Sets up and bins `commands`.
+    pub fn build(&mut self, arena: &Arena, commands: Range<usize>, grid: &Grid) {
+        self.triangles.clear();
+        self.pairs.clear();
+        self.counters = Counters::default();
+        for command in &arena.commands[commands] {
+            match *command {
+                Command::Triangle { vertices, cull, state } => {
+                    let [a, b, c] = &arena.vertices[vertices as usize];
+                    self.counters.triangles_in += 1;
+                    let units = arena.states[state as usize].pipeline.unit_count;
+                    if let Outcome::Drawn(registers) = triangle([a, b, c], cull, units) {
+                        self.counters.triangles_drawn += 1;
+                        self.launch(arena, &registers, state, grid);
+                    }
+                }
+                Command::Launch { registers, state } => {
+                    self.counters.triangles_in += 1;
+                    self.counters.triangles_drawn += 1;
+                    self.launch(arena, &arena.registers[registers as usize], state, grid);
+                }
+                Command::Clear(index) => {
+                    let rect = arena.clears[index as usize].rect;
+                    self.add_rect(&rect, Entry::Clear(index), grid);
+                }
+                Command::Pixels(index) => {
+                    let Run { x, y, count, .. } = arena.runs[index as usize];
+                    let rect = Rect::new(x, y, x + count, y + 1);
+                    self.add_rect(&rect, Entry::Pixels(index), grid);
+                }
+            }
+        }
+        self.sort(grid.len());
+    }
+
+    fn launch(&mut self, arena: &Arena, registers: &Registers, state: u32, grid: &Grid) {
+        let batch = &arena.states[state as usize];
+        let units = batch.pipeline.unit_count;
+        let Some(triangle) = prepare(registers, &batch.screen, state, units) else { return };
+        let index = self.triangles.len() as u32;
+        let (columns, rows) = grid.touched(&triangle.bounds);
+        let single = columns.len() == 1 && rows.len() == 1;
+        for row in rows {
+            for column in columns.clone() {
+                let tile = row * grid.across + column;
+                if single || touches(&triangle, &grid.tile(tile as usize)) {
+                    self.pairs.push((tile, Entry::Triangle(index)));
+                }
+            }
+        }
+        self.triangles.push(triangle);
+    }
+
+    fn add_rect(&mut self, rect: &Rect, entry: Entry, grid: &Grid) {
+        let (columns, rows) = grid.touched(rect);
+        for row in rows {
+            self.pairs.extend(columns.clone().map(|column| (row * grid.across + column, entry)));
+        }
+    }
+
+    /// Sorts the pairs by tile, keeping their order within one.
+    fn sort(&mut self, tiles: usize) {
+        self.starts.clear();
+        self.starts.resize(tiles + 1, 0);
+        for (tile, _) in &self.pairs {
+            self.starts[*tile as usize + 1] += 1;
+        }
+        for tile in 0..tiles {
+            self.starts[tile + 1] += self.starts[tile];
+        }
+        self.entries.clear();
+        self.entries.resize(self.pairs.len(), Entry::Clear(0));
+        // Fill backwards, so that `starts` ends as the first index of each.
+        let mut ends = core::mem::take(&mut self.starts);
+        for (tile, entry) in self.pairs.iter().rev() {
+            let end = &mut ends[*tile as usize + 1];
+            *end -= 1;
+            self.entries[*end as usize] = *entry;
+        }
+        ends.remove(0);
+        ends.push(self.pairs.len() as u32);
+        self.starts = ends;
+    }
+
+    /// What a tile has to do in this chunk, in order.
+    pub fn tile(&self, index: usize) -> &[Entry] {
+        &self.entries[self.starts[index] as usize..self.starts[index + 1] as usize]
+    }
+}
+
+/// Whether no edge excludes all of a tile.
+fn touches(triangle: &Triangle, tile: &Rect) -> bool {
+    let last = (tile.x1 - tile.x0) as i32 - 1;
+    triangle.edges[..triangle.edge_count as usize].iter().all(|edge| {
+        let corner = edge.at(tile.x0 as i32, tile.y0 as i32);
+        let reach = i64::from(edge.a.max(0)) + i64::from(edge.b.max(0));
+        corner + reach * i64::from(last) >= 0
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::device::ClearValues;
+    use crate::device::arena::Clear;
+
+    #[test]
+    fn tiles_keep_submission_order() {
+        let bounds = Rect::new(0, 0, 100, 70);
+        let grid = Grid { bits: 5, across: 4, down: 3, bounds };
+        let mut arena = Arena::default();
+        let rects = [bounds, Rect::new(40, 40, 41, 41), Rect::new(0, 0, 64, 64)];
+        for (i, rect) in rects.into_iter().enumerate() {
+            arena.clears.push(Clear { rect, values: ClearValues::default() });
+            arena.commands.push(Command::Clear(i as u32));
+        }
+        let mut chunk = Chunk::default();
+        for _ in 0..2 {
+            chunk.build(&arena, 0..3, &grid);
+            assert_eq!(chunk.tile(0), [Entry::Clear(0), Entry::Clear(2)]);
+            assert_eq!(chunk.tile(5), [Entry::Clear(0), Entry::Clear(1), Entry::Clear(2)]);
+            assert_eq!(chunk.tile(11), [Entry::Clear(0)]);
+        }
+    }
+}

@@ -1,0 +1,129 @@
+//! The command arena: what was asked for and not drawn yet.
+
+use std::sync::Arc;
+
+use super::ClearValues;
+use crate::kernel::Pipeline;
+use crate::setup::{Cull, Registers, Screen, Vertex};
+use crate::state::{DrawState, MAX_TMUS, Origin, Rect};
+use crate::texture::Texture;
+
+/// One command; the payloads lie in the arena's own lists.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Command {
+    /// Vertices to set up.
+    Triangle { vertices: u32, cull: Cull, state: u32 },
+    /// Registers to launch.
+    Launch { registers: u32, state: u32 },
+    /// A rectangle to fill.
+    Clear(u32),
+    /// Ready-made fragments.
+    Pixels(u32),
+}
+
+/// A rectangle to fill; screen coordinates, inside the target.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Clear {
+    pub rect: Rect,
+    pub values: ClearValues,
+}
+
+/// A run of fragments on the screen.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Run {
+    pub state: u32,
+    pub x: u32,
+    /// Screen row.
+    pub y: u32,
+    /// First of its fragments in [`Arena::pixels`].
+    pub first: u32,
+    pub count: u32,
+}
+
+/// A ready-made fragment.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pixel {
+    pub argb: u32,
+    pub depth: u16,
+}
+
+/// A draw state in use.
+#[derive(Debug)]
+pub(crate) struct BatchState {
+    pub pipeline: Pipeline,
+    /// The stages for ready-made fragments, once there are any.
+    pub pixel_pipeline: Option<Box<Pipeline>>,
+    pub screen: Screen,
+    /// The clip window on the screen, inside the target.
+    pub clip: Rect,
+}
+
+impl BatchState {
+    pub fn new(
+        state: &DrawState,
+        textures: &[Option<Arc<Texture>>; MAX_TMUS],
+        size: (u32, u32),
+        has_aux: bool,
+    ) -> BatchState {
+        let (width, height) = size;
+        let screen = Screen { width, height, origin: state.origin };
+        BatchState {
+            pipeline: Pipeline::new(state, textures, has_aux),
+            pixel_pipeline: None,
+            screen,
+            clip: screen_clip(state, &screen),
+        }
+    }
+}
+
+/// The clip window in screen rows, inside the target.
+fn screen_clip(state: &DrawState, screen: &Screen) -> Rect {
+    let all = Rect::new(0, 0, screen.width, screen.height);
+    let Some(clip) = state.clip else { return all };
+    let clip = clip.intersect(&all);
+    match state.origin {
+        Origin::UpperLeft => clip,
+        Origin::LowerLeft => {
+            let flip = |y: u32| screen.height - y.min(screen.height);
+            Rect::new(clip.x0, flip(clip.y1), clip.x1, flip(clip.y0))
+        }
+    }
+}
+
+/// Commands and their payloads, in submission order.
+#[derive(Debug, Default)]
+pub(crate) struct Arena {
+    pub commands: Vec<Command>,
+    pub vertices: Vec<[Vertex; 3]>,
+    pub registers: Vec<Registers>,
+    pub clears: Vec<Clear>,
+    pub runs: Vec<Run>,
+    pub pixels: Vec<Pixel>,
+    pub states: Vec<BatchState>,
+}
+
+/// Commands after which an arena is drawn without being asked.
+const MAX_COMMANDS: usize = 1 << 15;
+/// Draw states after which it is.
+const MAX_STATES: usize = 1 << 12;
+/// Fragments after which it is.
+const MAX_PIXELS: usize = 1 << 20;
+
+impl Arena {
+    /// Whether it should be drawn before more is added.
+    pub fn is_full(&self) -> bool {
+        self.commands.len() >= MAX_COMMANDS
+            || self.pixels.len() >= MAX_PIXELS
+            || self.states.len() >= MAX_STATES
+    }
+
+    /// Forgets everything but the states, and keeps the memory.
+    pub fn clear_commands(&mut self) {
+        self.commands.clear();
+        self.vertices.clear();
+        self.registers.clear();
+        self.clears.clear();
+        self.runs.clear();
+        self.pixels.clear();
+    }
+}

@@ -1,0 +1,160 @@
+//! Drawing what was collected: set-up and binning, then the tiles.
+//!
+//! The caller works along with the pool's helpers; with one thread it works
+//! alone, through the same code. Work is handed out as exclusive references
+//! from a shared iterator, so nothing is locked while a tile is drawn.
+
+use std::sync::{Mutex, PoisonError};
+
+use fillrate_simd::{Kernel, Level, Simd};
+
+use super::arena::Arena;
+use super::{Device, FlushReason};
+use crate::bins::{CHUNK, Chunk, Grid};
+use crate::raster::TilePainter;
+use crate::stats::Counters;
+use crate::target::{PixelFormat, Surface, TileCell};
+
+/// States that are kept from one batch to the next before they are dropped.
+const KEPT_STATES: usize = 256;
+
+impl Device {
+    /// Draws everything collected so far.
+    pub fn flush(&mut self, reason: FlushReason) {
+        if self.arena.commands.is_empty() {
+            return;
+        }
+        self.flushes.by_reason[reason as usize] += 1;
+        self.flushes.commands += self.arena.commands.len() as u64;
+        if let Some((color, aux)) = self.take_targets() {
+            let grid = grid(&color, self.config.tile.bits());
+            self.bin(&grid);
+            let aux = self.draw(&grid, color, aux);
+            self.put_targets(aux);
+        }
+        self.arena.clear_commands();
+        if self.arena.states.len() > KEPT_STATES {
+            self.arena.states.clear();
+            self.state = None;
+        }
+    }
+
+    /// Takes the target's surfaces out of their places while they are drawn.
+    fn take_targets(&mut self) -> Option<(Surface, Option<Surface>)> {
+        let color = self.surfaces.get_mut(self.color?.0 as usize)?.take()?;
+        let aux = self.aux.and_then(|id| self.surfaces.get_mut(id.0 as usize)?.take());
+        Some((color, aux))
+    }
+
+    fn put_targets(&mut self, (color, aux): (Surface, Option<Surface>)) {
+        if let Some(id) = self.color {
+            self.surfaces[id.0 as usize] = Some(color);
+        }
+        if let Some(id) = self.aux {
+            self.surfaces[id.0 as usize] = aux;
+        }
+    }
+
+    /// Sets up and bins all commands, chunk by chunk.
+    fn bin(&mut self, grid: &Grid) {
+        let commands = self.arena.commands.len();
+        let count = commands.div_ceil(CHUNK);
+        self.chunks.resize_with(count.max(self.chunks.len()), Chunk::default);
+        let queue = Mutex::new(self.chunks[..count].iter_mut().enumerate());
+        let arena = &self.arena;
+        let helpers = self.pool.as_ref().filter(|_| count > 1);
+        together(helpers, &|| {
+            while let Some((i, chunk)) = next(&queue) {
+                chunk.build(arena, i * CHUNK..commands.min((i + 1) * CHUNK), grid);
+            }
+        });
+    }
+
+    /// Draws all tiles.
+    fn draw(
+        &mut self,
+        grid: &Grid,
+        mut color: Surface,
+        mut aux: Option<Surface>,
+    ) -> (Surface, Option<Surface>) {
+        let count = self.arena.commands.len().div_ceil(CHUNK);
+        let chunks = &self.chunks[..count];
+        let format = color.format();
+        let total = Mutex::new(Counters::default());
+        let aux_cells = aux.as_mut().map_or(&mut [][..], |aux| &mut aux.cells[..]);
+        let aux_cells = aux_cells.iter_mut().map(Some).chain(core::iter::repeat_with(|| None));
+        let tiles = color.cells.iter_mut().zip(aux_cells).enumerate();
+        let tiles = tiles.filter(|(i, _)| chunks.iter().any(|chunk| !chunk.tile(*i).is_empty()));
+        let queue = Mutex::new(tiles);
+        let (arena, level) = (&self.arena, self.config.level);
+        together(self.pool.as_ref(), &|| {
+            let work = TileWork { level, arena, grid, format, chunks, next: &|| next(&queue) };
+            let counters = work.run();
+            *total.lock().unwrap_or_else(PoisonError::into_inner) += counters;
+        });
+        drop(queue);
+        self.counters += total.into_inner().unwrap_or_else(PoisonError::into_inner);
+        for chunk in chunks {
+            self.counters += chunk.counters;
+        }
+        (color, aux)
+    }
+}
+
+fn grid(color: &Surface, bits: u32) -> Grid {
+    let side = 1u32 << bits;
+    Grid {
+        bits,
+        across: color.width().div_ceil(side),
+        down: color.height().div_ceil(side),
+        bounds: color.bounds(),
+    }
+}
+
+/// The next item of a shared iterator.
+fn next<I: Iterator>(queue: &Mutex<I>) -> Option<I::Item> {
+    queue.lock().unwrap_or_else(PoisonError::into_inner).next()
+}
+
+/// Runs `work` on the caller and on every helper, and waits for all.
+fn together(pool: Option<&rayon::ThreadPool>, work: &(dyn Fn() + Sync)) {
+    let Some(pool) = pool else { return work() };
+    pool.in_place_scope(|scope| {
+        for _ in 0..pool.current_num_threads() {
+            scope.spawn(|_| work());
+        }
+        work();
+    });
+}
+
+/// A tile to draw: its index, colour and aux cells.
+type TileItem<'t> = (usize, (&'t mut TileCell, Option<&'t mut TileCell>));
+
+/// One worker's share of the tiles; the level is entered once.
+struct TileWork<'a, 't> {
+    level: Level,
+    arena: &'a Arena,
+    grid: &'a Grid,
+    format: PixelFormat,
+    chunks: &'a [Chunk],
+    next: &'a dyn Fn() -> Option<TileItem<'t>>,
+}
+
+impl TileWork<'_, '_> {
+    fn run(self) -> Counters {
+        self.level.dispatch(self)
+    }
+}
+
+impl Kernel for TileWork<'_, '_> {
+    type Output = Counters;
+
+    #[inline(always)]
+    fn run<S: Simd>(self, s: S) -> Counters {
+        let mut painter = TilePainter::new(s, self.arena, *self.grid, self.format);
+        while let Some((index, (color, aux))) = (self.next)() {
+            painter.draw(self.chunks, index, color, aux);
+        }
+        painter.counters
+    }
+}

@@ -1,0 +1,121 @@
+//! The register file of the fragment pipeline: 64 fragments in L1.
+
+/// Fragments of a block.
+pub(crate) const BLOCK: usize = 64;
+/// Fragments of a stamp.
+pub(crate) const STAMP: usize = crate::target::STAMP_PIXELS;
+/// Stamps of a block.
+pub(crate) const SLOTS: usize = BLOCK / STAMP;
+
+/// One 32-bit value for each fragment.
+#[derive(Clone, Debug)]
+#[repr(align(64))]
+pub(crate) struct Lanes(pub [i32; BLOCK]);
+
+impl Lanes {
+    pub const fn splat(value: i32) -> Lanes {
+        Lanes([value; BLOCK])
+    }
+}
+
+/// A colour for each fragment: pairs of 16-bit channels, red and green low.
+#[derive(Clone, Debug)]
+pub(crate) struct Colors {
+    /// red | blue << 16
+    pub rb: Lanes,
+    /// green | alpha << 16
+    pub ga: Lanes,
+}
+
+impl Colors {
+    /// The same 0xAARRGGBB everywhere.
+    pub const fn splat(argb: u32) -> Colors {
+        Colors {
+            rb: Lanes::splat(((argb >> 16 & 0xff) | (argb & 0xff) << 16) as i32),
+            ga: Lanes::splat(((argb >> 8 & 0xff) | (argb >> 24) << 16) as i32),
+        }
+    }
+}
+
+/// Which stamp of which triangle a quarter of the block holds.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Slot {
+    /// Index of the triangle in the pass.
+    pub triangle: u32,
+    /// Index of the stamp's first pixel in the tile.
+    pub at: u32,
+    /// Screen column of the stamp.
+    pub x: i32,
+    /// Screen row of the stamp.
+    pub y: i32,
+}
+
+/// Up to four stamps of fragments and everything the stages keep about them.
+/// No two slots hold the same stamp, so stages may finish in any order.
+#[derive(Clone, Debug)]
+pub(crate) struct Block {
+    /// Bit per fragment: still to be drawn.
+    pub live: u64,
+    /// Slots in use.
+    pub count: usize,
+    pub slots: [Slot; SLOTS],
+    /// Iterated z, 0..=65535, without bias.
+    pub z: Lanes,
+    /// Pseudo-float w, without bias.
+    pub w: Lanes,
+    /// What is compared and written.
+    pub depth: Lanes,
+    pub iterated: Colors,
+    /// Output of the texture chain so far.
+    pub texture: Colors,
+    /// The fragment's colour from the combine units on.
+    pub color: Colors,
+    /// The colour before fog.
+    pub prefog: Colors,
+    /// Texel addresses of the two rows, and the weights of a bilinear sample.
+    pub row0: Lanes,
+    pub row1: Lanes,
+    pub weight_s: Lanes,
+    pub weight_t: Lanes,
+    /// Level of detail of the current unit, 8 fraction bits.
+    pub lod: Lanes,
+    /// Scratch colours.
+    pub scratch: Colors,
+}
+
+impl Block {
+    pub fn new() -> Block {
+        let lanes = Lanes::splat(0);
+        let colors = Colors::splat(0);
+        Block {
+            live: 0,
+            count: 0,
+            slots: [Slot::default(); SLOTS],
+            z: lanes.clone(),
+            w: lanes.clone(),
+            depth: lanes.clone(),
+            iterated: colors.clone(),
+            texture: colors.clone(),
+            color: colors.clone(),
+            prefog: colors.clone(),
+            row0: lanes.clone(),
+            row1: lanes.clone(),
+            weight_s: lanes.clone(),
+            weight_t: lanes.clone(),
+            lod: lanes,
+            scratch: colors,
+        }
+    }
+
+    /// Fragments in the slots in use.
+    pub fn len(&self) -> usize {
+        self.count * STAMP
+    }
+
+    /// Keeps only the fragments of `pass`; returns how many were dropped.
+    pub fn keep(&mut self, pass: u64) -> u64 {
+        let dropped = (self.live & !pass).count_ones();
+        self.live &= pass;
+        u64::from(dropped)
+    }
+}

@@ -1,0 +1,65 @@
+//! Fog.
+
+use fillrate_simd::{IntLanes, Simd};
+
+use super::Pass;
+use super::block::{Block, Colors};
+use super::lanes::{clamp, join, scale, spread_alpha};
+use crate::state::{Fog, FogAmount, FogTable};
+
+/// A fog table as 64 entries that one indexed load reads: the amount low, the
+/// slope high.
+pub(crate) fn fog_entries(table: &FogTable) -> [u64; 64] {
+    core::array::from_fn(|i| u64::from(table.value[i]) | u64::from(table.delta[i]) << 32)
+}
+
+/// The fog amount, 0..=255, in both halves.
+///
+/// Source: SST1, fogTable.
+#[inline(always)]
+fn amount<S: Simd>(s: S, block: &Block, pass: &Pass<'_>, fog: &Fog, k: usize) -> S::I {
+    match fog.amount {
+        FogAmount::Table => {
+            let bias = s.splat(i32::from(pass.pipeline.state.depth.bias.unwrap_or(0)));
+            let w = (s.load(&block.w.0[k..]) + bias).max(s.splat(0)).min(s.splat(0xffff));
+            let (value, delta) = s.load_pairs(&pass.pipeline.fog_entries, w.shr(10));
+            let step = delta.mul(w.shr(2) & s.splat(0xff)).shr(10);
+            let amount = (value + step).min(s.splat(255));
+            amount | amount.shl(16)
+        }
+        FogAmount::IteratedAlpha => spread_alpha(s, s.load(&block.iterated.ga.0[k..])),
+        FogAmount::IteratedZ => {
+            let amount = s.load(&block.z.0[k..]).shr(8);
+            amount | amount.shl(16)
+        }
+        FogAmount::Constant => s.splat(0),
+    }
+}
+
+/// Fogs `block.color`; alpha stays. The colour before goes to `block.prefog`.
+#[inline(always)]
+pub(crate) fn fog<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
+    let Some(fog) = pass.pipeline.state.fog else { return };
+    let fog_color = Colors::splat(if fog.drop_fog_color { 0 } else { fog.color & 0xff_ffff });
+    let keep = s.splat(if fog.drop_fragment_color { 0 } else { -1 });
+    for k in (0..block.len()).step_by(S::LANES) {
+        let amount = amount(s, block, pass, &fog, k);
+        let apply = |color: S::I, fog_color: i32| {
+            let kept = color & keep;
+            let term = s.splat(fog_color).sub16(kept);
+            clamp(s, kept.add16(scale(s, term, amount)))
+        };
+        let add = |color: S::I, fog_color: i32| clamp(s, color.add16(s.splat(fog_color)));
+        let rb = s.load(&block.color.rb.0[k..]);
+        let ga = s.load(&block.color.ga.0[k..]);
+        s.store(rb, &mut block.prefog.rb.0[k..]);
+        s.store(ga, &mut block.prefog.ga.0[k..]);
+        let (new_rb, new_ga) = if fog.amount == FogAmount::Constant {
+            (add(rb, fog_color.rb.0[0]), add(ga, fog_color.ga.0[0]))
+        } else {
+            (apply(rb, fog_color.rb.0[0]), apply(ga, fog_color.ga.0[0]))
+        };
+        s.store(new_rb, &mut block.color.rb.0[k..]);
+        s.store(join(s, new_ga, ga), &mut block.color.ga.0[k..]);
+    }
+}

@@ -1,0 +1,85 @@
+//! Small steps that several stages share, and the constants of a stamp.
+
+use fillrate_simd::{IntLanes, Simd};
+
+use super::block::STAMP;
+use crate::setup::Plane32;
+use crate::state::{DITHER_2X2, DITHER_4X4, Dither};
+
+/// Column of each fragment in its stamp.
+pub(crate) static COLUMN: [i32; STAMP] = [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3];
+/// Row of each fragment in its stamp.
+pub(crate) static ROW: [i32; STAMP] = [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3];
+/// [`COLUMN`] as floats.
+pub(crate) static COLUMN_F: [f64; STAMP] =
+    [0., 1., 2., 3., 0., 1., 2., 3., 0., 1., 2., 3., 0., 1., 2., 3.];
+/// [`ROW`] as floats.
+pub(crate) static ROW_F: [f64; STAMP] =
+    [0., 0., 0., 0., 1., 1., 1., 1., 2., 2., 2., 2., 3., 3., 3., 3.];
+
+/// A 32-bit attribute at fragments `j..` of the stamp at (x, y).
+#[inline(always)]
+pub(crate) fn iterate<S: Simd>(s: S, plane: &Plane32, x: i32, y: i32, j: usize) -> S::I {
+    s.splat(plane.at(x, y))
+        + s.load(&COLUMN[j..]).mul(s.splat(plane.dx))
+        + s.load(&ROW[j..]).mul(s.splat(plane.dy))
+}
+
+/// The chip's wrap rule for an iterated integer part `t`: of its `WIDE` bits,
+/// all ones count as 0, 2^`BITS` as 2^`BITS` - 1, else the low bits count.
+///
+/// Source: SST1, iterated parameters without clamping.
+#[inline(always)]
+pub(crate) fn wrap<S: Simd, const WIDE: u32, const BITS: u32>(s: S, t: S::I) -> S::I {
+    let one = s.splat(1);
+    let t = ((t + one) & s.splat((1 << WIDE) - 1)).max(one) - one;
+    let over = t.eq(s.splat(1 << BITS));
+    (t - one).select(t, over) & s.splat((1 << BITS) - 1)
+}
+
+/// The wrap rule of 12-bit colours on pairs of 16-bit channels.
+#[inline(always)]
+pub(crate) fn wrap_colors<S: Simd>(s: S, t: S::I) -> S::I {
+    let one = s.splat(0x0001_0001);
+    let t = t.add16(one) & s.splat(0x0fff_0fff);
+    let t = t.max16(one).sub16(one);
+    t.add16(t.eq16(s.splat(0x0100_0100))) & s.splat(0x00ff_00ff)
+}
+
+/// The high channel of each pair in both halves: alpha for every channel.
+#[inline(always)]
+pub(crate) fn spread_alpha<S: Simd>(s: S, ga: S::I) -> S::I {
+    ga.shr(16) | (ga & s.splat(0xffff_0000u32 as i32))
+}
+
+/// Low halves of one, high halves of the other.
+#[inline(always)]
+pub(crate) fn join<S: Simd>(s: S, low: S::I, high: S::I) -> S::I {
+    (low & s.splat(0xffff)) | (high & s.splat(0xffff_0000u32 as i32))
+}
+
+/// `(x * (f + 1)) >> 8` for signed x of at most 9 bits and f of 0..=255.
+#[inline(always)]
+pub(crate) fn scale<S: Simd>(s: S, x: S::I, f: S::I) -> S::I {
+    x.shl16(7).mul_high_i16(f.add16(s.splat(0x0001_0001)).shl16(1))
+}
+
+/// Limits signed channels to 0..=255.
+#[inline(always)]
+pub(crate) fn clamp<S: Simd>(s: S, x: S::I) -> S::I {
+    x.max16(s.splat(0)).min16(s.splat(0x00ff_00ff))
+}
+
+/// The dither value of each fragment of a stamp, in both halves. Stamps start
+/// at multiples of four, so one pattern serves the whole screen.
+pub(crate) fn dither_pattern(dither: Dither) -> [i32; STAMP] {
+    core::array::from_fn(|i| {
+        let (x, y) = (i % 4, i / 4);
+        let value = match dither {
+            Dither::Off => 0,
+            Dither::Ordered2x2 => DITHER_2X2[y % 2][x % 2],
+            Dither::Ordered4x4 => DITHER_4X4[y][x],
+        };
+        i32::from(value) * 0x0001_0001
+    })
+}

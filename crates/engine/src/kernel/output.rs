@@ -1,0 +1,211 @@
+//! Blending, dithering, packing and the colour write.
+//!
+//! Source: SST1, alphaMode and fbzMode.
+
+use fillrate_simd::{IntLanes, Simd};
+
+use super::block::{Block, STAMP};
+use super::lanes::{join, spread_alpha};
+use super::{ColorTile, Pass, Tile};
+use crate::state::{AuxWrite, Blend, BlendFactor, Dither};
+use crate::target::PixelFormat;
+
+/// Widens elements to (red, blue) and (green, alpha) by bit replication;
+/// absent alpha is 255.
+#[inline(always)]
+fn unpack<S: Simd>(s: S, format: PixelFormat, p: S::I) -> [S::I; 2] {
+    match format {
+        PixelFormat::Rgb565 => {
+            let rb = (p.shr(11) & s.splat(31)) | (p & s.splat(31)).shl(16);
+            let g = p.shr(5) & s.splat(63);
+            [rb.shl16(3) | rb.shr16(2), g.shl(2) | g.shr(4) | s.splat(0x00ff_0000)]
+        }
+        PixelFormat::Argb1555 => {
+            let rb = (p.shr(10) & s.splat(31)) | (p & s.splat(31)).shl(16);
+            let g = p.shr(5) & s.splat(31);
+            let a = p.shl(16).sar(31) & s.splat(0x00ff_0000);
+            [rb.shl16(3) | rb.shr16(2), g.shl(3) | g.shr(2) | a]
+        }
+        PixelFormat::Argb4444 => {
+            let rb = (p.shr(8) & s.splat(15)) | (p & s.splat(15)).shl(16);
+            let ga = (p.shr(4) & s.splat(15)) | (p & s.splat(0xf000)).shl(4);
+            [rb.shl16(4) | rb, ga.shl16(4) | ga]
+        }
+        PixelFormat::Argb8888 | PixelFormat::Aux16 => {
+            let rb = (p.shr(16) & s.splat(0xff)) | (p & s.splat(0xff)).shl(16);
+            let ga = (p.shr(8) & s.splat(0xff)) | (p.shr(24)).shl(16);
+            [rb, ga]
+        }
+    }
+}
+
+/// Reduces channel pairs to `bits` bits, with the dither value `d` or by
+/// truncation.
+#[inline(always)]
+fn reduce<S: Simd>(c: S::I, bits: u32, d: Option<S::I>) -> S::I {
+    let Some(d) = d else { return c.shr16(8 - bits) };
+    let scaled = match bits {
+        6 => c.shl16(2).sub16(c.shr16(4)).add16(c.shr16(6)),
+        5 => c.shl16(1).sub16(c.shr16(4)).add16(c.shr16(7)),
+        _ => c.sub16(c.shr16(4)),
+    };
+    scaled.add16(d).shr16(4)
+}
+
+/// Packs colours into elements.
+#[inline(always)]
+fn pack<S: Simd>(s: S, format: PixelFormat, [rb, ga]: [S::I; 2], d: Option<S::I>) -> S::I {
+    let alpha = ga.shr(16);
+    match format {
+        PixelFormat::Rgb565 => {
+            let (rb, g) = (reduce::<S>(rb, 5, d), reduce::<S>(ga, 6, d));
+            (rb & s.splat(31)).shl(11) | (g & s.splat(63)).shl(5) | rb.shr(16)
+        }
+        PixelFormat::Argb1555 => {
+            let (rb, g) = (reduce::<S>(rb, 5, d), reduce::<S>(ga, 5, d));
+            let color = (rb & s.splat(31)).shl(10) | (g & s.splat(31)).shl(5) | rb.shr(16);
+            color | alpha.shr(7).shl(15)
+        }
+        PixelFormat::Argb4444 => {
+            let (rb, g) = (reduce::<S>(rb, 4, d), reduce::<S>(ga, 4, d));
+            let color = (rb & s.splat(15)).shl(8) | (g & s.splat(15)).shl(4) | rb.shr(16);
+            color | alpha.shr(4).shl(12)
+        }
+        PixelFormat::Argb8888 | PixelFormat::Aux16 => {
+            alpha.shl(24) | (rb & s.splat(0xff)).shl(16) | (ga & s.splat(0xff)).shl(8) | rb.shr(16)
+        }
+    }
+}
+
+/// A blend's operands: (red, blue) and (green, alpha) of each.
+struct Operands<S: Simd> {
+    source: [S::I; 2],
+    destination: [S::I; 2],
+    prefog: [S::I; 2],
+}
+
+/// A factor in 256ths for both vectors; `other` is the opposite operand.
+#[inline(always)]
+fn factor<S: Simd>(s: S, factor: BlendFactor, o: &Operands<S>, other: &[S::I; 2]) -> [S::I; 2] {
+    let one = s.splat(0x0001_0001);
+    let whole = s.splat(0x0100_0100);
+    let source_alpha = spread_alpha(s, o.source[1]);
+    let destination_alpha = spread_alpha(s, o.destination[1]);
+    match factor {
+        BlendFactor::Zero => [s.splat(0); 2],
+        BlendFactor::One => [whole; 2],
+        BlendFactor::SourceAlpha => [source_alpha.add16(one); 2],
+        BlendFactor::DestinationAlpha => [destination_alpha.add16(one); 2],
+        BlendFactor::OneMinusSourceAlpha => [whole.sub16(source_alpha); 2],
+        BlendFactor::OneMinusDestinationAlpha => [whole.sub16(destination_alpha); 2],
+        BlendFactor::OtherColor => [other[0].add16(one), other[1].add16(one)],
+        BlendFactor::OneMinusOtherColor => [whole.sub16(other[0]), whole.sub16(other[1])],
+        BlendFactor::AlphaSaturate => {
+            [source_alpha.min16(whole.sub16(destination_alpha)).add16(one); 2]
+        }
+        BlendFactor::PrefogColor => [o.prefog[0].add16(one), o.prefog[1].add16(one)],
+    }
+}
+
+/// The blended colour. The sum of two products saturates at 65535, which the
+/// shift turns into the limit of 255.
+#[inline(always)]
+fn blend<S: Simd>(s: S, blend: &Blend, o: &Operands<S>) -> [S::I; 2] {
+    let fs = factor(s, blend.source, o, &o.destination);
+    let fd = factor(s, blend.destination, o, &o.source);
+    let whole = |on: bool| s.splat(if on { 0x0100_0000 } else { 0 });
+    let fs_ga = join(s, fs[1], whole(blend.source_alpha));
+    let fd_ga = join(s, fd[1], whole(blend.destination_alpha));
+    let sum = |a: S::I, fa: S::I, b: S::I, fb: S::I| a.mul16(fa).add_sat_u16(b.mul16(fb)).shr16(8);
+    [
+        sum(o.source[0], fs[0], o.destination[0], fd[0]),
+        sum(o.source[1], fs_ga, o.destination[1], fd_ga),
+    ]
+}
+
+/// The destination as blending sees it: widened, with what dithering took
+/// given back, and with its alpha from the aux plane or 255.
+#[inline(always)]
+fn destination<S: Simd>(
+    s: S,
+    pass: &Pass<'_>,
+    tile: &Tile<'_>,
+    config: &Blend,
+    at: usize,
+    j: usize,
+) -> [S::I; 2] {
+    let (element, format) = match &tile.color {
+        ColorTile::Bits16(pixels, format) => (s.load16(&pixels[at + j..]), *format),
+        ColorTile::Bits32(pixels, format) => (s.load(&pixels[at + j..]), *format),
+    };
+    let [mut rb, mut ga] = unpack(s, format, element);
+    if config.subtract_dither && format != PixelFormat::Argb8888 {
+        let top = s.splat(0x00ff_00ff);
+        let rest = s.load(&pass.pipeline.undither[j..]);
+        rb = rb.add16(rest.shr16(1)).min16(top);
+        ga = ga.add16(rest.shr16(2) & s.splat(0xffff)).min16(top);
+    }
+    if config.alpha_plane {
+        let alpha = (s.load16(&tile.aux[at + j..]) & s.splat(0xff)).shl(16);
+        ga = join(s, ga, alpha);
+    }
+    [rb, ga]
+}
+
+/// Blends the fragments into `block.color`.
+#[inline(always)]
+pub(crate) fn blend_stage<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &Tile<'_>) {
+    let Some(config) = &pass.pipeline.state.blend else { return };
+    // Without fog the colour before fog is the colour.
+    let fogged = pass.pipeline.state.fog.is_some();
+    for slot in 0..block.count {
+        let at = block.slots[slot].at as usize;
+        for j in (0..STAMP).step_by(S::LANES) {
+            let k = slot * STAMP + j;
+            let source = [s.load(&block.color.rb.0[k..]), s.load(&block.color.ga.0[k..])];
+            let prefog = if fogged {
+                [s.load(&block.prefog.rb.0[k..]), s.load(&block.prefog.ga.0[k..])]
+            } else {
+                source
+            };
+            let destination = destination(s, pass, tile, config, at, j);
+            let [rb, ga] = blend(s, config, &Operands { source, destination, prefog });
+            s.store(rb, &mut block.color.rb.0[k..]);
+            s.store(ga, &mut block.color.ga.0[k..]);
+        }
+    }
+}
+
+/// Counts and writes the fragments left: colour, and alpha where the aux
+/// plane holds it.
+#[inline(always)]
+pub(crate) fn write<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    let state = &pass.pipeline.state;
+    tile.counters.pixels_out += u64::from(block.live.count_ones());
+    for slot in 0..block.count {
+        let at = block.slots[slot].at as usize;
+        for j in (0..STAMP).step_by(S::LANES) {
+            let k = slot * STAMP + j;
+            let live = s.mask((block.live >> k) as u32);
+            let color = [s.load(&block.color.rb.0[k..]), s.load(&block.color.ga.0[k..])];
+            let dither = (state.dither != Dither::Off).then(|| s.load(&pass.pipeline.dither[j..]));
+            if state.color_write {
+                match &mut tile.color {
+                    ColorTile::Bits16(pixels, format) => {
+                        s.store16(pack(s, *format, color, dither), &mut pixels[at + j..], live);
+                    }
+                    ColorTile::Bits32(pixels, format) => {
+                        s.store_masked(
+                            pack(s, *format, color, dither),
+                            &mut pixels[at + j..],
+                            live,
+                        );
+                    }
+                }
+            }
+            if state.aux_write == AuxWrite::Alpha && !tile.aux.is_empty() {
+                s.store16(color[1].shr(16), &mut tile.aux[at + j..], live);
+            }
+        }
+    }
+}

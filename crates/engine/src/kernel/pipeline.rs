@@ -1,0 +1,219 @@
+//! A draw state compiled: the stages it needs and their constants.
+
+use std::sync::Arc;
+
+use super::block::{Colors, STAMP};
+use super::combine::Switches;
+use super::fog::fog_entries;
+use super::lanes::dither_pattern;
+use super::texture::UnitPlan;
+use crate::state::{
+    AlphaLocal, AuxWrite, ColorLocal, Compare, DepthSource, Dither, DrawState, Factor, FogAmount,
+    MAX_TMUS, Other,
+};
+use crate::texture::{Texture, TextureDesc};
+
+/// One stage of the list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Stage {
+    Stipple,
+    Depth,
+    /// The depth test on depths that are already there.
+    ReadyDepth,
+    Address(usize),
+    Fetch(usize),
+    TextureCombine(usize),
+    IterateColors,
+    ChromaKey,
+    Combine,
+    AlphaTest,
+    Fog,
+    DepthWrite,
+    Blend,
+    Write,
+}
+
+/// Which iterated values the stages read.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Needs {
+    pub z: bool,
+    pub w: bool,
+    pub colors: bool,
+    /// Fragments can be dropped after the depth test, so depth is written at
+    /// the end.
+    pub late_depth_write: bool,
+    /// The depth value is compared or written.
+    pub depth: bool,
+}
+
+/// A compiled draw state.
+#[derive(Clone, Debug)]
+pub(crate) struct Pipeline {
+    pub state: DrawState,
+    pub needs: Needs,
+    pub stages: Vec<Stage>,
+    pub units: [Option<Box<UnitPlan>>; MAX_TMUS],
+    /// Texture units that iterate coordinates: the highest in use, plus one.
+    pub unit_count: usize,
+    pub combine: Switches,
+    pub color0: Colors,
+    pub color1: Colors,
+    pub zero: Colors,
+    pub fog_entries: [u64; 64],
+    pub dither: [i32; STAMP],
+    /// 15 less the 4x4 matrix: what dithering took, at most.
+    pub undither: [i32; STAMP],
+}
+
+impl Pipeline {
+    /// Compiles a state for a target with or without an aux plane.
+    pub fn new(
+        state: &DrawState,
+        textures: &[Option<Arc<Texture>>; MAX_TMUS],
+        has_aux: bool,
+    ) -> Pipeline {
+        let mut state = *state;
+        if !has_aux {
+            state.depth.test = None;
+            state.aux_write = AuxWrite::Nothing;
+            if let Some(blend) = &mut state.blend {
+                blend.alpha_plane = false;
+            }
+        }
+        let needs = needs(&state);
+        let units = units(&state, textures);
+        Pipeline {
+            stages: stages(&state, &needs, &units),
+            needs,
+            unit_count: units.iter().rposition(Option::is_some).map_or(0, |i| i + 1),
+            units,
+            combine: Switches::new(&state.color_combine.unit, &state.alpha_combine.unit),
+            color0: Colors::splat(state.color0),
+            color1: Colors::splat(state.color1),
+            zero: Colors::splat(0),
+            fog_entries: fog_entries(&state.fog_table),
+            dither: dither_pattern(state.dither),
+            undither: dither_pattern(Dither::Ordered4x4).map(|d| 0x000f_000f - d),
+            state,
+        }
+    }
+
+    /// Compiles the stages that ready-made fragments pass: no texturing, no
+    /// combining, and a depth without bias.
+    pub fn for_pixels(state: &DrawState, has_aux: bool) -> Pipeline {
+        let mut state = *state;
+        state.depth.bias = None;
+        state.units = [None; MAX_TMUS];
+        state.color_combine.other = Other::Iterated;
+        let mut pipeline = Pipeline::new(&state, &[const { None }; MAX_TMUS], has_aux);
+        let made = [Stage::IterateColors, Stage::Combine];
+        pipeline.stages.retain(|stage| !made.contains(stage));
+        for stage in &mut pipeline.stages {
+            if *stage == Stage::Depth {
+                *stage = Stage::ReadyDepth;
+            }
+        }
+        pipeline
+    }
+
+    /// Whether anything is written to the aux plane.
+    pub fn writes_aux(&self) -> bool {
+        self.state.aux_write != AuxWrite::Nothing
+    }
+
+    /// Whether depth is written, early or late.
+    pub fn writes_depth(&self) -> bool {
+        self.state.aux_write == AuxWrite::Depth
+    }
+}
+
+fn units(
+    state: &DrawState,
+    textures: &[Option<Arc<Texture>>; MAX_TMUS],
+) -> [Option<Box<UnitPlan>>; MAX_TMUS] {
+    let mut plans = [const { None }; MAX_TMUS];
+    let mut has_other = false;
+    for index in (0..MAX_TMUS).rev() {
+        let Some(unit) = state.units[index] else { continue };
+        let texture = textures[index].clone().unwrap_or_else(transparent_black);
+        plans[index] = Some(Box::new(UnitPlan::new(index, unit, texture, has_other)));
+        has_other = true;
+    }
+    plans
+}
+
+/// The texture of a unit that has none.
+fn transparent_black() -> Arc<Texture> {
+    let desc = TextureDesc { s_bits: 0, t_bits: 0, first: 0, last: 0, clamp_s: true };
+    let texture = Texture::build(desc, |_, out| out.push(0));
+    Arc::new(texture.expect("one texel is a valid texture"))
+}
+
+/// Whether the colour or alpha unit reads the iterated colours.
+fn reads_iterated(state: &DrawState) -> bool {
+    let (cc, ac) = (&state.color_combine, &state.alpha_combine);
+    cc.other == Other::Iterated
+        || ac.other == Other::Iterated
+        || cc.local != ColorLocal::Constant
+        || ac.local == AlphaLocal::Iterated
+        || state.fog.is_some_and(|fog| fog.amount == FogAmount::IteratedAlpha)
+}
+
+fn needs(state: &DrawState) -> Needs {
+    let fog = |amount: FogAmount| state.fog.is_some_and(|fog| fog.amount == amount);
+    let compares = state.depth.test.is_some_and(|test| test != Compare::Always);
+    let depth = compares || state.aux_write == AuxWrite::Depth;
+    let source = |source: DepthSource| depth && state.depth.source == source;
+    Needs {
+        z: source(DepthSource::Z)
+            || fog(FogAmount::IteratedZ)
+            || state.alpha_combine.local == AlphaLocal::Depth,
+        w: source(DepthSource::FloatW) || fog(FogAmount::Table),
+        colors: reads_iterated(state),
+        late_depth_write: state.chroma_key.is_some() || state.alpha_test.is_some(),
+        depth,
+    }
+}
+
+/// Whether anything reads the texture chain's output.
+fn reads_texture(state: &DrawState) -> bool {
+    let (cc, ac) = (&state.color_combine, &state.alpha_combine);
+    let texture_factor = |f: Factor| matches!(f, Factor::TextureAlpha | Factor::TextureColor);
+    cc.other == Other::Texture
+        || ac.other == Other::Texture
+        || cc.local == ColorLocal::ByTextureAlpha
+        || texture_factor(cc.unit.factor)
+        || texture_factor(ac.unit.factor)
+}
+
+fn stages(
+    state: &DrawState,
+    needs: &Needs,
+    units: &[Option<Box<UnitPlan>>; MAX_TMUS],
+) -> Vec<Stage> {
+    let mut list = Vec::with_capacity(16);
+    let mut add = |wanted: bool, stage: Stage| {
+        if wanted {
+            list.push(stage);
+        }
+    };
+    add(state.stipple.is_some(), Stage::Stipple);
+    add(needs.depth || needs.z || needs.w, Stage::Depth);
+    if reads_texture(state) {
+        for (index, plan) in units.iter().enumerate().rev() {
+            let Some(plan) = plan else { continue };
+            add(true, Stage::Address(index));
+            add(true, Stage::Fetch(index));
+            add(!plan.texel_only, Stage::TextureCombine(index));
+        }
+    }
+    add(needs.colors, Stage::IterateColors);
+    add(state.chroma_key.is_some(), Stage::ChromaKey);
+    add(true, Stage::Combine);
+    add(state.alpha_test.is_some(), Stage::AlphaTest);
+    add(state.fog.is_some(), Stage::Fog);
+    add(needs.late_depth_write && state.aux_write == AuxWrite::Depth, Stage::DepthWrite);
+    add(state.blend.is_some(), Stage::Blend);
+    add(true, Stage::Write);
+    list
+}

@@ -1,0 +1,127 @@
+//! Stages as functions of one level, and the loop over a list of them.
+
+use fillrate_simd::{Kernel, Simd};
+
+use super::block::Block;
+use super::pipeline::Stage;
+use super::texture::{address, fetch, texture_combine};
+use super::{Pass, Tile, alpha_test, chroma_key, combine, depth, fog, iterate, output, stipple};
+
+/// A stage at one level.
+type StageFn<S> = fn(S, &mut Block, &Pass<'_>, &mut Tile<'_>);
+
+/// The stages of a pipeline, at one level.
+pub(crate) type StageList<S> = Vec<StageFn<S>>;
+
+/// Defines a stage function: a kernel of its own, so that it is compiled with
+/// the level's instructions and called once for 64 fragments.
+macro_rules! stage {
+    ($name:ident, |$s:ident, $block:ident, $pass:ident, $tile:ident| $body:expr) => {
+        fn $name<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+            struct Body<'a, 'b, 'c, 'd, 'e>(&'a mut Block, &'b Pass<'c>, &'d mut Tile<'e>);
+            impl Kernel for Body<'_, '_, '_, '_, '_> {
+                type Output = ();
+                #[inline(always)]
+                fn run<S: Simd>(self, $s: S) {
+                    let Body($block, $pass, $tile) = self;
+                    $body
+                }
+            }
+            s.vectorize(Body(block, pass, tile))
+        }
+    };
+}
+
+/// The depth test, and the write where nothing later can drop a fragment.
+#[inline(always)]
+fn test_depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    depth::depth_test(s, block, pass, tile);
+    if pass.pipeline.writes_depth() && !pass.pipeline.needs.late_depth_write {
+        depth::depth_write(s, block, tile);
+    }
+}
+
+macro_rules! unit_stages {
+    ($($address:ident $fetch:ident $combine:ident $index:literal)*) => {$(
+        stage!($address, |s, block, pass, _tile| {
+            if let Some(plan) = &pass.pipeline.units[$index] { address(s, block, pass, plan) }
+        });
+        stage!($fetch, |s, block, pass, _tile| {
+            if let Some(plan) = &pass.pipeline.units[$index] { fetch(s, block, plan) }
+        });
+        stage!($combine, |s, block, pass, _tile| {
+            if let Some(plan) = &pass.pipeline.units[$index] { texture_combine(s, block, plan) }
+        });
+    )*};
+}
+
+unit_stages! {
+    address_0 fetch_0 texture_combine_0 0
+    address_1 fetch_1 texture_combine_1 1
+    address_2 fetch_2 texture_combine_2 2
+}
+stage!(depth_stage, |s, block, pass, tile| {
+    depth::depth_values(s, block, pass);
+    test_depth(s, block, pass, tile)
+});
+stage!(ready_depth, |s, block, pass, tile| test_depth(s, block, pass, tile));
+stage!(iterate_colors, |s, block, pass, _tile| iterate::iterate_colors(s, block, pass));
+stage!(chroma_key, |s, block, pass, tile| chroma_key::chroma_key(s, block, pass, tile));
+stage!(combine, |s, block, pass, _tile| combine::combine(s, block, pass));
+stage!(alpha_test, |s, block, pass, tile| alpha_test::alpha_test(s, block, pass, tile));
+stage!(fog, |s, block, pass, _tile| fog::fog(s, block, pass));
+stage!(depth_write, |s, block, _pass, tile| depth::depth_write(s, block, tile));
+stage!(blend, |s, block, pass, tile| output::blend_stage(s, block, pass, tile));
+stage!(write, |s, block, pass, tile| output::write(s, block, pass, tile));
+
+fn stipple_stage<S: Simd>(_: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    stipple::stipple(block, pass, tile);
+}
+
+/// The functions of a pipeline's stages at level `S`.
+pub(crate) fn stage_list<S: Simd>(stages: &[Stage], out: &mut StageList<S>) {
+    out.clear();
+    out.extend(stages.iter().map(|stage| -> StageFn<S> {
+        match stage {
+            Stage::Stipple => stipple_stage,
+            Stage::Depth => depth_stage,
+            Stage::ReadyDepth => ready_depth,
+            Stage::Address(0) => address_0,
+            Stage::Address(1) => address_1,
+            Stage::Address(_) => address_2,
+            Stage::Fetch(0) => fetch_0,
+            Stage::Fetch(1) => fetch_1,
+            Stage::Fetch(_) => fetch_2,
+            Stage::TextureCombine(0) => texture_combine_0,
+            Stage::TextureCombine(1) => texture_combine_1,
+            Stage::TextureCombine(_) => texture_combine_2,
+            Stage::IterateColors => iterate_colors,
+            Stage::ChromaKey => chroma_key,
+            Stage::Combine => combine,
+            Stage::AlphaTest => alpha_test,
+            Stage::Fog => fog,
+            Stage::DepthWrite => depth_write,
+            Stage::Blend => blend,
+            Stage::Write => write,
+        }
+    }));
+}
+
+/// Runs a block through the list, until no fragment is left, and empties it.
+#[inline(always)]
+pub(crate) fn run<S: Simd>(
+    s: S,
+    list: &StageList<S>,
+    block: &mut Block,
+    pass: &Pass<'_>,
+    tile: &mut Tile<'_>,
+) {
+    for stage in list {
+        if block.live == 0 {
+            break;
+        }
+        stage(s, block, pass, tile);
+    }
+    block.count = 0;
+    block.live = 0;
+}

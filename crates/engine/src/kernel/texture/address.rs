@@ -1,0 +1,259 @@
+//! Texture coordinates to texel addresses and weights.
+
+use fillrate_simd::{FloatLanes, IntLanes, Simd};
+
+use super::UnitPlan;
+use super::lod::{lod_at, smallest_w, smallest_w_below};
+use crate::kernel::Pass;
+use crate::kernel::block::{Block, STAMP, Slot};
+use crate::kernel::depth::iterate_wide;
+use crate::setup::{Plane64, Triangle};
+use crate::state::Filter;
+
+/// How one level is addressed, lane by lane.
+#[derive(Clone, Copy)]
+struct LevelLanes<S: Simd> {
+    base: S::I,
+    pitch: S::I,
+    s_mask: S::I,
+    t_mask: S::I,
+    shift: S::I,
+    /// Subtracted from coordinates: half a texel where filtered.
+    half: S::I,
+    /// Which of the four fraction bits count.
+    fraction: S::I,
+}
+
+/// What is known of a stamp's levels before looking at single fragments.
+struct StampLevels {
+    /// Finest and coarsest level in the stamp.
+    finest: i32,
+    coarsest: i32,
+    /// Level of detail of the triangle at w = 1, with the bias.
+    base: i32,
+}
+
+/// Coordinates of every fragment of the block for `plan`'s unit: texel
+/// addresses of both rows, and the weights.
+#[inline(always)]
+pub(crate) fn address<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, plan: &UnitPlan) {
+    for slot in 0..block.count {
+        let at = block.slots[slot];
+        let triangle = &pass.triangles[at.triangle as usize];
+        let base = triangle.lod_base[plan.index] + i32::from(plan.unit.lod.bias);
+        if !triangle.exact {
+            inexact_stamp(s, block, plan, triangle, slot, base);
+        } else if plan.needs_lod {
+            lods_of_stamp(&mut block.lod.0[slot * STAMP..], plan, triangle, at, base);
+            stamp::<S, true>(s, block, plan, triangle, slot, base);
+        } else {
+            stamp::<S, false>(s, block, plan, triangle, slot, base);
+        }
+    }
+}
+
+/// The unit's w plane: one everywhere without perspective.
+#[inline(always)]
+fn w_plane(plan: &UnitPlan, triangle: &Triangle) -> Plane64 {
+    if plan.unit.perspective { triangle.tmu[plan.index][2] } else { Plane64::constant(1 << 32) }
+}
+
+/// Levels of detail of a stamp's fragments, one by one.
+fn lods_of_stamp(out: &mut [i32], plan: &UnitPlan, triangle: &Triangle, at: Slot, base: i32) {
+    let w = w_plane(plan, triangle);
+    for (i, out) in out[..STAMP].iter_mut().enumerate() {
+        let (x, y) = (at.x + (i & 3) as i32, at.y + (i >> 2) as i32);
+        *out = lod_at(plan, base, w.at(x, y), x, y);
+    }
+}
+
+/// floor(256 * s / w), in the range of `i32`; 0 where w is 0, or not positive
+/// and the unit says so.
+fn quotient(s: i64, w: i64, clamp_negative_w: bool) -> i32 {
+    if w == 0 || (w < 0 && clamp_negative_w) {
+        return 0;
+    }
+    let (mut above, mut below) = (i128::from(s) * 256, i128::from(w));
+    if below < 0 {
+        (above, below) = (-above, -below);
+    }
+    above.div_euclid(below).clamp(i128::from(i32::MIN), i128::from(i32::MAX)) as i32
+}
+
+/// A stamp whose iterators are too large for floats, one fragment at a time.
+#[inline(always)]
+fn inexact_stamp<S: Simd>(
+    s: S,
+    block: &mut Block,
+    plan: &UnitPlan,
+    triangle: &Triangle,
+    slot: usize,
+    base: i32,
+) {
+    let at = block.slots[slot];
+    let [ps, pt, _] = &triangle.tmu[plan.index];
+    let pw = w_plane(plan, triangle);
+    let (mut qs, mut qt) = ([0; STAMP], [0; STAMP]);
+    for i in 0..STAMP {
+        let (x, y) = (at.x + (i & 3) as i32, at.y + (i >> 2) as i32);
+        let (w, clamp) = (pw.at(x, y), plan.unit.clamp_negative_w);
+        qs[i] = quotient(ps.at(x, y), w, clamp);
+        qt[i] = quotient(pt.at(x, y), w, clamp);
+    }
+    lods_of_stamp(&mut block.lod.0[slot * STAMP..], plan, triangle, at, base);
+    for j in (0..STAMP).step_by(S::LANES) {
+        let k = slot * STAMP + j;
+        let levels = levels_by_lod(s, plan, s.load(&block.lod.0[k..]));
+        store_address(s, block, plan, k, [s.load(&qs[j..]), s.load(&qt[j..])], &levels);
+    }
+}
+
+/// A stamp in float lanes; `LODS` where `block.lod` holds the levels of detail.
+#[inline(always)]
+fn stamp<S: Simd, const LODS: bool>(
+    s: S,
+    block: &mut Block,
+    plan: &UnitPlan,
+    triangle: &Triangle,
+    slot: usize,
+    base: i32,
+) {
+    let at = block.slots[slot];
+    let [ps, pt, _] = &triangle.tmu[plan.index];
+    let pw = w_plane(plan, triangle);
+    let levels = if LODS { None } else { Some(stamp_levels(plan, &pw, at, base)) };
+    let scale = s.splat_f(256.0);
+    for j in (0..STAMP).step_by(S::LANES) {
+        let k = slot * STAMP + j;
+        let w = iterate_wide(s, &pw, at.x, at.y, j);
+        let qs = (iterate_wide(s, ps, at.x, at.y, j) * scale / w).floor_i32();
+        let qt = (iterate_wide(s, pt, at.x, at.y, j) * scale / w).floor_i32();
+        let zero = s.splat_f(0.0);
+        let mut valid = zero.lt(w);
+        if !plan.unit.clamp_negative_w {
+            valid = valid | w.lt(zero);
+        }
+        let q = [qs.select(s.splat(0), valid), qt.select(s.splat(0), valid)];
+        let lanes = match &levels {
+            Some(levels) => levels_by_w(s, plan, levels, w),
+            None => levels_by_lod(s, plan, s.load(&block.lod.0[k..])),
+        };
+        store_address(s, block, plan, k, q, &lanes);
+    }
+}
+
+/// The levels that w's range over the stamp selects.
+#[inline(always)]
+fn stamp_levels(plan: &UnitPlan, w: &Plane64, at: Slot, base: i32) -> StampLevels {
+    let corner = w.at(at.x, at.y) as f64;
+    let (dx, dy) = (w.dx as f64 * 3.0, w.dy as f64 * 3.0);
+    let largest = corner + dx.max(0.0) + dy.max(0.0);
+    let smallest = corner + dx.min(0.0) + dy.min(0.0);
+    let (mut finest, last) = plan.levels();
+    while finest < last && largest < smallest_w_below(base, finest + 1) {
+        finest += 1;
+    }
+    let mut coarsest = finest;
+    while coarsest < last && smallest < smallest_w_below(base, coarsest + 1) {
+        coarsest += 1;
+    }
+    StampLevels { finest, coarsest, base }
+}
+
+/// Address lanes of the levels that `w` selects.
+#[inline(always)]
+fn levels_by_w<S: Simd>(s: S, plan: &UnitPlan, levels: &StampLevels, w: S::F) -> LevelLanes<S> {
+    let bilinear = bilinear_lanes(s, plan, levels.base, w);
+    if levels.finest == levels.coarsest {
+        let n = (levels.finest & 15) as usize;
+        let t = &plan.tables;
+        return LevelLanes {
+            base: s.splat(t.base[n]),
+            pitch: s.splat(t.pitch[n]),
+            s_mask: s.splat(t.s_mask[n]),
+            t_mask: s.splat(t.t_mask[n]),
+            shift: s.splat(t.shift[n]),
+            half: bilinear & s.splat(0x80),
+            fraction: bilinear & s.splat(15),
+        };
+    }
+    let mut level = s.splat(levels.finest);
+    for next in levels.finest + 1..=levels.coarsest {
+        let threshold = s.splat_f(smallest_w_below(levels.base, next));
+        level = s.splat(next).select(level, w.lt(threshold));
+    }
+    lookup(s, plan, level, bilinear)
+}
+
+/// All ones where the fragment is filtered. The magnification filter serves
+/// the finest level of detail allowed, the other one everything coarser.
+#[inline(always)]
+fn bilinear_lanes<S: Simd>(s: S, plan: &UnitPlan, base: i32, w: S::F) -> S::I {
+    let ones = |filter: Filter| s.splat(if filter == Filter::Bilinear { -1 } else { 0 });
+    let (minify, magnify) = (ones(plan.unit.minify), ones(plan.unit.magnify));
+    if plan.unit.minify == plan.unit.magnify || plan.lod_min == plan.lod_max {
+        return magnify;
+    }
+    minify.select(magnify, w.lt(s.splat_f(smallest_w(base, plan.lod_min))))
+}
+
+/// Address lanes of the levels that levels of detail select.
+#[inline(always)]
+fn levels_by_lod<S: Simd>(s: S, plan: &UnitPlan, lod: S::I) -> LevelLanes<S> {
+    let ones = |filter: Filter| s.splat(if filter == Filter::Bilinear { -1 } else { 0 });
+    let finest = lod.eq(s.splat(plan.lod_min));
+    let bilinear = ones(plan.unit.magnify).select(ones(plan.unit.minify), finest);
+    lookup(s, plan, lod.sar(8), bilinear)
+}
+
+#[inline(always)]
+fn lookup<S: Simd>(s: S, plan: &UnitPlan, level: S::I, bilinear: S::I) -> LevelLanes<S> {
+    let t = &plan.tables;
+    LevelLanes {
+        base: s.lookup16(&t.base, level),
+        pitch: s.lookup16(&t.pitch, level),
+        s_mask: s.lookup16(&t.s_mask, level),
+        t_mask: s.lookup16(&t.t_mask, level),
+        shift: s.lookup16(&t.shift, level),
+        half: bilinear & s.splat(0x80),
+        fraction: bilinear & s.splat(15),
+    }
+}
+
+/// Stores addresses and weights of lanes `k..` from their coordinates, which
+/// have 8 fraction bits at level 0.
+#[inline(always)]
+fn store_address<S: Simd>(
+    s: S,
+    block: &mut Block,
+    plan: &UnitPlan,
+    k: usize,
+    [qs, qt]: [S::I; 2],
+    level: &LevelLanes<S>,
+) {
+    let one = s.splat(1);
+    let x = qs.sar_each(level.shift) - level.half;
+    let y = qt.sar_each(level.shift) - level.half;
+    let x = confine(s, x, level.s_mask, plan.unit.clamp_s);
+    let y = confine(s, y, level.t_mask, plan.unit.clamp_t);
+    let (column, row) = (x.sar(8), y.sar(8));
+    let next =
+        if plan.unit.clamp_t { (row + one).min(level.t_mask) } else { (row + one) & level.t_mask };
+    let start = level.base + column;
+    s.store(start + row.mul(level.pitch), &mut block.row0.0[k..]);
+    s.store(start + next.mul(level.pitch), &mut block.row1.0[k..]);
+    // Weights of the texel and its right neighbour as bytes, 16 together.
+    let ds = x.sar(4) & level.fraction;
+    let pair = ds.shl(8) - ds + s.splat(16);
+    s.store(pair | pair.shl(16), &mut block.weight_s.0[k..]);
+    let dt = y.sar(4) & level.fraction;
+    s.store(dt | dt.shl(16), &mut block.weight_t.0[k..]);
+}
+
+/// Clamps or wraps a coordinate of 8 fraction bits to a side of mask + 1
+/// texels. Clamped below the first or above the last texel the fraction is 0,
+/// since both neighbours are the same texel there.
+#[inline(always)]
+fn confine<S: Simd>(s: S, x: S::I, mask: S::I, clamp: bool) -> S::I {
+    if clamp { x.max(s.splat(0)).min(mask.shl(8)) } else { x & (mask.shl(8) | s.splat(0xff)) }
+}

@@ -1,0 +1,74 @@
+//! Level of detail.
+//!
+//! lod = log2 of the longer of the two gradient vectors of (s, t), less log2
+//! of w, eight fraction bits each, plus the bias. For a given triangle it
+//! only falls as w rises, so a stamp's level is decided by comparing w with
+//! thresholds, exactly.
+
+use super::UnitPlan;
+use crate::log2::{log2_8, log2_8_int, smallest_with_log2_8};
+use crate::setup::Plane64;
+use crate::state::DITHER_4X4;
+
+/// Level of detail at w = 1, of planes with 32 fraction bits; far below any
+/// limit where s and t are constant.
+pub(crate) fn lod_base(s: &Plane64, t: &Plane64) -> i32 {
+    let length = |s: i64, t: i64| (s as f64) * (s as f64) + (t as f64) * (t as f64);
+    let longest = length(s.dx, t.dx).max(length(s.dy, t.dy));
+    if longest > 0.0 { log2_8(longest) >> 1 } else { -0x8000 }
+}
+
+/// The smallest w whose level of detail, before limits, is at most `lod`;
+/// `base` includes the bias.
+#[inline(always)]
+pub(super) fn smallest_w(base: i32, lod: i32) -> f64 {
+    smallest_with_log2_8(base - lod)
+}
+
+/// The smallest w whose level is below `level`.
+#[inline(always)]
+pub(super) fn smallest_w_below(base: i32, level: i32) -> f64 {
+    smallest_with_log2_8(base - (level << 8) + 1)
+}
+
+/// The level of detail of one fragment, limited.
+pub(super) fn lod_at(plan: &UnitPlan, base: i32, w: i64, x: i32, y: i32) -> i32 {
+    if w <= 0 {
+        return plan.lod_max;
+    }
+    let dither = if plan.unit.lod_dither {
+        i32::from(DITHER_4X4[(y & 3) as usize][(x & 3) as usize]) << 4
+    } else {
+        0
+    };
+    plan.limit(base - log2_8_int(w as u64) + dither)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thresholds_separate_levels() {
+        let lod = |base: i32, w: u64| base - log2_8_int(w);
+        for base in [32 * 256 - 700, 32 * 256 + 13, 35 * 256 + 255, 40 * 256] {
+            for level in 1..9 {
+                let w = smallest_w_below(base, level).ceil() as u64;
+                assert!(lod(base, w) < level << 8);
+                assert!(lod(base, w - 1) >= level << 8);
+                let w = smallest_w(base, level << 8).ceil() as u64;
+                assert!(lod(base, w) <= level << 8);
+                assert!(lod(base, w - 1) > level << 8);
+            }
+        }
+    }
+
+    #[test]
+    fn one_texel_a_pixel_is_level_0() {
+        let plane = |dx: i64| Plane64 { c: 0, dx, dy: 0 };
+        let base = lod_base(&plane(1 << 32), &plane(0));
+        assert_eq!(base - log2_8_int(1 << 32), 0);
+        let base = lod_base(&plane(4 << 32), &plane(0));
+        assert_eq!(base - log2_8_int(1 << 32), 0x200);
+    }
+}

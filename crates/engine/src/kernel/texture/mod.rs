@@ -1,0 +1,15 @@
+//! A texture unit: level of detail, addresses, texels, texture combine.
+//!
+//! Source: SST1, TREX: textureMode, tLOD, tDetail.
+
+mod address;
+mod combine;
+mod fetch;
+mod lod;
+mod plan;
+
+pub(crate) use address::address;
+pub(crate) use combine::texture_combine;
+pub(crate) use fetch::fetch;
+pub(crate) use lod::lod_base;
+pub(crate) use plan::UnitPlan;

@@ -1,0 +1,106 @@
+//! What a texture unit's stages need, worked out once per draw state.
+
+use std::sync::Arc;
+
+use crate::kernel::combine::Switches;
+use crate::state::{Addend, CombineUnit, Filter, TextureCombine, TextureFactor, TextureUnit};
+use crate::texture::Texture;
+
+/// Level tables of a texture, indexed by level of detail; the level a split
+/// chain lacks is already replaced.
+#[derive(Clone, Debug)]
+pub(crate) struct LevelTables {
+    pub base: [i32; 16],
+    pub pitch: [i32; 16],
+    pub s_mask: [i32; 16],
+    pub t_mask: [i32; 16],
+    pub shift: [i32; 16],
+}
+
+/// A texture unit, compiled.
+#[derive(Clone, Debug)]
+pub(crate) struct UnitPlan {
+    pub index: usize,
+    pub unit: TextureUnit,
+    pub texture: Arc<Texture>,
+    pub tables: LevelTables,
+    /// Limits of the level of detail, 8 fraction bits; the second wins.
+    pub lod_min: i32,
+    pub lod_max: i32,
+    /// The level of detail itself is needed for every fragment, not only the
+    /// level it selects.
+    pub needs_lod: bool,
+    /// Both filters sample one point.
+    pub point: bool,
+    /// The combine unit passes the texel through.
+    pub texel_only: bool,
+    /// The unit upstream counts.
+    pub has_other: bool,
+    pub switches: Switches,
+}
+
+/// The coarsest level of detail there is: a 1x1 level.
+const COARSEST: i32 = 0x800;
+
+impl UnitPlan {
+    /// Compiles unit `index`; `has_other` where a unit upstream is in use.
+    pub fn new(index: usize, unit: TextureUnit, texture: Arc<Texture>, has_other: bool) -> Self {
+        let combine = unit.combine;
+        let lod_max = i32::from(unit.lod.max).min(COARSEST.max(deepest(&texture)));
+        UnitPlan {
+            index,
+            unit,
+            tables: tables(&texture, unit.odd_levels),
+            lod_min: i32::from(unit.lod.min).min(lod_max),
+            lod_max,
+            needs_lod: unit.lod_dither || uses_lod(&combine, unit.trilinear),
+            point: unit.minify == Filter::Point && unit.magnify == Filter::Point,
+            texel_only: is_texel(&combine.color) && is_texel(&combine.alpha),
+            has_other,
+            switches: Switches::new(&combine.color, &combine.alpha),
+            texture,
+        }
+    }
+
+    /// Level of detail after bias and limits.
+    pub fn limit(&self, lod: i32) -> i32 {
+        lod.max(self.lod_min).min(self.lod_max)
+    }
+
+    /// The finest and the coarsest level that can be selected.
+    pub fn levels(&self) -> (i32, i32) {
+        (self.lod_min >> 8, self.lod_max >> 8)
+    }
+}
+
+/// The level of detail of a texture's deepest level, for textures above 256
+/// texels.
+fn deepest(texture: &Texture) -> i32 {
+    i32::from(texture.desc().last) << 8
+}
+
+/// Whether the unit's output is its texel, unchanged.
+fn is_texel(unit: &CombineUnit<TextureFactor>) -> bool {
+    unit.zero_other && !unit.subtract_local && unit.add == Addend::Local && !unit.invert
+}
+
+fn uses_lod(combine: &TextureCombine, trilinear: bool) -> bool {
+    let needs = |unit: &CombineUnit<TextureFactor>| {
+        matches!(unit.factor, TextureFactor::Detail | TextureFactor::LodFraction)
+    };
+    trilinear || needs(&combine.color) || needs(&combine.alpha)
+}
+
+fn tables(texture: &Texture, odd_levels: Option<bool>) -> LevelTables {
+    let level = |i: usize| {
+        let missing = odd_levels.is_some_and(|odd| (i & 1 == 1) != odd);
+        texture.level(i + usize::from(missing))
+    };
+    LevelTables {
+        base: core::array::from_fn(|i| level(i).base as i32),
+        pitch: core::array::from_fn(|i| level(i).pitch as i32),
+        s_mask: core::array::from_fn(|i| level(i).s_mask as i32),
+        t_mask: core::array::from_fn(|i| level(i).t_mask as i32),
+        shift: core::array::from_fn(|i| level(i).shift as i32),
+    }
+}

@@ -1,0 +1,8 @@
+//! Rasterization: which fragments of a tile a triangle covers, and the loop
+//! that draws a tile.
+
+mod coverage;
+mod depth_range;
+mod tile;
+
+pub(crate) use tile::TilePainter;

@@ -1,0 +1,325 @@
+//! Drawing a tile: its entries in order, gathered into blocks.
+
+use fillrate_simd::Simd;
+
+use super::coverage::{FULL, TileCoverage, rect_mask};
+use super::depth_range::{depth_range, is_hidden, update_bounds};
+use crate::bins::{Chunk, Entry, Grid};
+use crate::device::arena::{Arena, BatchState, Clear, Pixel, Run};
+use crate::kernel::block::{Block, SLOTS, STAMP, Slot};
+use crate::kernel::{ColorTile, Pass, Pipeline, StageList, Tile, run, stage_list};
+use crate::setup::Triangle;
+use crate::state::{Dither, Rect};
+use crate::stats::Counters;
+use crate::target::{PixelFormat, Plane, TileCell, pack, stamp_index};
+
+/// What one worker keeps while it draws tiles.
+pub(crate) struct TilePainter<'a, S: Simd> {
+    s: S,
+    arena: &'a Arena,
+    grid: Grid,
+    format: PixelFormat,
+    pub counters: Counters,
+    block: Box<Block>,
+    list: StageList<S>,
+    /// The pipeline that `list` belongs to.
+    current: Option<(u32, bool)>,
+}
+
+/// One tile of the target while it is drawn.
+struct Target<'a> {
+    /// Its pixels, those beyond the target's edge included.
+    rect: Rect,
+    color: &'a mut TileCell,
+    aux: Option<&'a mut TileCell>,
+}
+
+impl Target<'_> {
+    fn materialize(&mut self) {
+        self.color.materialize();
+        if let Some(aux) = &mut self.aux {
+            aux.materialize();
+        }
+    }
+
+    /// The planes as the stages see them. They must be materialized.
+    fn tile<'t>(&'t mut self, format: PixelFormat, counters: &'t mut Counters) -> Tile<'t> {
+        let color = match &mut self.color.plane {
+            Plane::Bits16(pixels) => ColorTile::Bits16(pixels, format),
+            Plane::Bits32(pixels) => ColorTile::Bits32(pixels, format),
+        };
+        let aux = match self.aux.as_mut().map(|aux| &mut aux.plane) {
+            Some(Plane::Bits16(pixels)) => pixels.as_mut_slice(),
+            _ => &mut [],
+        };
+        Tile { color, aux, counters }
+    }
+}
+
+impl<'a, S: Simd> TilePainter<'a, S> {
+    pub fn new(s: S, arena: &'a Arena, grid: Grid, format: PixelFormat) -> Self {
+        TilePainter {
+            s,
+            arena,
+            grid,
+            format,
+            counters: Counters::default(),
+            block: Box::new(Block::new()),
+            list: StageList::new(),
+            current: None,
+        }
+    }
+
+    /// Draws everything the chunks hold for a tile.
+    #[inline(always)]
+    pub fn draw(
+        &mut self,
+        chunks: &[Chunk],
+        index: usize,
+        color: &mut TileCell,
+        aux: Option<&mut TileCell>,
+    ) {
+        let rect = self.grid.tile(index);
+        let mut target = Target { rect, color, aux };
+        for chunk in chunks {
+            for entry in chunk.tile(index) {
+                match *entry {
+                    Entry::Triangle(i) => self.triangle(chunk, i, &mut target),
+                    Entry::Clear(i) => {
+                        self.finish(&chunk.triangles, &mut target);
+                        self.clear(&self.arena.clears[i as usize], &mut target);
+                    }
+                    Entry::Pixels(i) => {
+                        self.finish(&chunk.triangles, &mut target);
+                        self.pixels(&self.arena.runs[i as usize], &mut target);
+                    }
+                }
+            }
+            self.finish(&chunk.triangles, &mut target);
+        }
+    }
+
+    fn batch(&self, state: u32) -> &'a BatchState {
+        &self.arena.states[state as usize]
+    }
+
+    /// Makes `list` the stages of a state; what is pending must be finished.
+    fn select(&mut self, state: u32, pixels: bool) -> &'a Pipeline {
+        let batch = self.batch(state);
+        let pipeline = match (&batch.pixel_pipeline, pixels) {
+            (Some(pipeline), true) => pipeline,
+            _ => &batch.pipeline,
+        };
+        if self.current != Some((state, pixels)) {
+            stage_list(&pipeline.stages, &mut self.list);
+            self.current = Some((state, pixels));
+        }
+        pipeline
+    }
+
+    /// Draws the fragments gathered so far.
+    #[inline(always)]
+    fn finish(&mut self, triangles: &[Triangle], target: &mut Target<'_>) {
+        if self.block.count == 0 {
+            return;
+        }
+        let Some((state, pixels)) = self.current else { return };
+        let pipeline = self.select(state, pixels);
+        let pass = Pass { pipeline, triangles };
+        let mut tile = target.tile(self.format, &mut self.counters);
+        run(self.s, &self.list, &mut self.block, &pass, &mut tile);
+    }
+
+    /// Adds a stamp's fragments to the block, drawing first what is in the
+    /// way: a full block, or other fragments of the same stamp.
+    #[inline(always)]
+    fn push(&mut self, slot: Slot, mask: u32, triangles: &[Triangle], target: &mut Target<'_>) {
+        let taken = |block: &Block| block.slots[..block.count].iter().any(|s| s.at == slot.at);
+        if self.block.count == SLOTS || taken(&self.block) {
+            self.finish(triangles, target);
+        }
+        let block = &mut *self.block;
+        block.slots[block.count] = slot;
+        block.live |= u64::from(mask) << (block.count * STAMP);
+        block.count += 1;
+    }
+
+    #[inline(always)]
+    fn triangle(&mut self, chunk: &Chunk, index: u32, target: &mut Target<'_>) {
+        let triangle = &chunk.triangles[index as usize];
+        let s = self.s;
+        let Some(coverage) = TileCoverage::new(s, triangle, &target.rect) else { return };
+        if self.current != Some((triangle.state, false)) {
+            self.finish(&chunk.triangles, target);
+        }
+        let pipeline = self.select(triangle.state, false);
+        let clip = &self.batch(triangle.state).clip;
+        if self.is_hidden(pipeline, triangle, &coverage, clip, target) {
+            return;
+        }
+        target.materialize();
+        let area = coverage.area;
+        for y in (area.y0 & !3..area.y1).step_by(4) {
+            let mut entered = false;
+            for x in (area.x0 & !3..area.x1).step_by(4) {
+                let mask = coverage.stamp(s, x, y);
+                if mask == 0 {
+                    // Triangles are convex: past the right end of the row.
+                    if entered {
+                        break;
+                    }
+                    continue;
+                }
+                entered = true;
+                self.counters.pixels_in += u64::from(mask.count_ones());
+                let mask = mask & rect_mask(clip, x, y);
+                if mask != 0 {
+                    let at = stamp_index(x - target.rect.x0, y - target.rect.y0, self.grid.bits);
+                    let slot = Slot { triangle: index, at: at as u32, x: x as i32, y: y as i32 };
+                    self.push(slot, mask, &chunk.triangles, target);
+                }
+            }
+        }
+    }
+
+    /// Whether depth bounds hide the triangle in this tile; then its fragments
+    /// are only counted. Otherwise the bounds are updated for drawing it.
+    #[inline(always)]
+    fn is_hidden(
+        &mut self,
+        pipeline: &Pipeline,
+        triangle: &Triangle,
+        coverage: &TileCoverage,
+        clip: &Rect,
+        target: &mut Target<'_>,
+    ) -> bool {
+        let Some(aux) = &mut target.aux else { return false };
+        if !pipeline.needs.depth && !pipeline.writes_aux() {
+            return false;
+        }
+        let range = depth_range(pipeline, triangle, &coverage.area);
+        if let Some(range) = range
+            && pipeline.state.stipple.is_none()
+            && is_hidden(pipeline, range, aux)
+        {
+            self.count_hidden(coverage, clip);
+            return true;
+        }
+        let visible = target.rect.intersect(&self.grid.bounds);
+        let whole = coverage.is_full()
+            && coverage.area.contains(&visible)
+            && clip.contains(&visible)
+            && pipeline.state.stipple.is_none()
+            && !pipeline.needs.late_depth_write;
+        update_bounds(pipeline, range, whole, aux);
+        false
+    }
+
+    /// Counts the fragments of a hidden triangle.
+    #[inline(always)]
+    fn count_hidden(&mut self, coverage: &TileCoverage, clip: &Rect) {
+        let area = coverage.area;
+        if coverage.is_full() {
+            self.counters.pixels_in += area.area();
+            self.counters.depth_fail += area.intersect(clip).area();
+            return;
+        }
+        for y in (area.y0 & !3..area.y1).step_by(4) {
+            for x in (area.x0 & !3..area.x1).step_by(4) {
+                let mask = coverage.stamp(self.s, x, y);
+                let inside = mask & rect_mask(clip, x, y);
+                self.counters.pixels_in += u64::from(mask.count_ones());
+                self.counters.depth_fail += u64::from(inside.count_ones());
+            }
+        }
+    }
+
+    /// Fills a part of the tile, or all of it later.
+    fn clear(&mut self, clear: &Clear, target: &mut Target<'_>) {
+        let visible = target.rect.intersect(&self.grid.bounds);
+        let area = visible.intersect(&clear.rect);
+        self.counters.pixels_out += area.area();
+        let whole = area == visible;
+        if let Some((argb, dither)) = clear.values.color {
+            let stamp = color_stamp(self.format, argb, dither);
+            fill(target.color, stamp, whole, &area, &target.rect, self.grid.bits);
+        }
+        if let (Some(value), Some(aux)) = (clear.values.aux, &mut target.aux) {
+            fill(aux, [i32::from(value); STAMP], whole, &area, &target.rect, self.grid.bits);
+        }
+    }
+
+    /// Draws the part of a run of ready-made fragments inside the tile.
+    #[inline(always)]
+    fn pixels(&mut self, run: &Run, target: &mut Target<'_>) {
+        self.select(run.state, true);
+        target.materialize();
+        let clip = &self.batch(run.state).clip;
+        let from = run.x.max(target.rect.x0);
+        let to = (run.x + run.count).min(target.rect.x1);
+        self.counters.pixels_in += u64::from(to.saturating_sub(from));
+        if let Some(aux) = &mut target.aux {
+            aux.include(0, 0xffff);
+        }
+        let y = run.y & !3;
+        for x in (from & !3..to).step_by(4) {
+            let row = (run.y & 3) * 4;
+            let mut mask = 0;
+            for (i, column) in (x..x + 4).enumerate().filter(|(_, c)| (from..to).contains(c)) {
+                let lane = row as usize + i;
+                mask |= 1 << lane;
+                let pixel = self.arena.pixels[(run.first + column - run.x) as usize];
+                set_pixel(&mut self.block, lane, pixel);
+            }
+            let mask = mask & rect_mask(clip, x, y) & FULL;
+            if mask != 0 {
+                let at = stamp_index(x - target.rect.x0, y - target.rect.y0, self.grid.bits);
+                let slot = Slot { triangle: 0, at: at as u32, x: x as i32, y: y as i32 };
+                // One stamp a block: the fragments are already in its lanes.
+                self.push(slot, mask, &[], target);
+                self.finish(&[], target);
+            }
+        }
+    }
+}
+
+/// Puts a ready-made fragment into a lane.
+fn set_pixel(block: &mut Block, lane: usize, pixel: Pixel) {
+    let c = pixel.argb;
+    let rb = ((c >> 16 & 0xff) | (c & 0xff) << 16) as i32;
+    let ga = ((c >> 8 & 0xff) | (c >> 24) << 16) as i32;
+    for colors in [&mut block.color, &mut block.iterated] {
+        colors.rb.0[lane] = rb;
+        colors.ga.0[lane] = ga;
+    }
+    let depth = i32::from(pixel.depth);
+    block.z.0[lane] = depth;
+    block.w.0[lane] = depth;
+    block.depth.0[lane] = depth;
+}
+
+/// A stamp of one colour, dithered.
+fn color_stamp(format: PixelFormat, argb: u32, dither: Dither) -> [i32; STAMP] {
+    core::array::from_fn(|i| pack(format, argb, dither, i as u32 % 4, i as u32 / 4) as i32)
+}
+
+/// Fills `area` of a tile at `tile` with a stamp, at once or as a pending
+/// clear.
+fn fill(
+    cell: &mut TileCell,
+    stamp: [i32; STAMP],
+    whole: bool,
+    area: &Rect,
+    tile: &Rect,
+    bits: u32,
+) {
+    if whole {
+        return cell.clear(stamp);
+    }
+    for y in area.y0..area.y1 {
+        for x in area.x0..area.x1 {
+            let value = stamp[((y & 3) * 4 + (x & 3)) as usize];
+            cell.set(stamp_index(x - tile.x0, y - tile.y0, bits), value as u32);
+        }
+    }
+}
