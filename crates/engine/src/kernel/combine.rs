@@ -50,11 +50,12 @@ impl Switches {
         pair: usize,
         [other, local, alpha, factor]: [S::I; 4],
     ) -> S::I {
-        let mask = |masks: &[i32; 2]| s.splat(masks[pair]);
-        let x = (other & mask(&self.keep_other)).sub16(local & mask(&self.subtract_local));
-        let x = scale(s, x, factor ^ mask(&self.invert_factor));
-        let add = (local & mask(&self.add_local)) | (alpha & mask(&self.add_alpha));
-        clamp(s, x.add16(add)) ^ mask(&self.invert)
+        let kept = other & s.splat(self.keep_other[pair]);
+        let x = kept.sub16(local & s.splat(self.subtract_local[pair]));
+        let x = scale(s, x, factor ^ s.splat(self.invert_factor[pair]));
+        let add_local = local & s.splat(self.add_local[pair]);
+        let add = add_local | (alpha & s.splat(self.add_alpha[pair]));
+        clamp(s, x.add16(add)) ^ s.splat(self.invert[pair])
     }
 }
 
@@ -113,10 +114,10 @@ fn unusual_locals<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
         // Bit 7 of the texture alpha, over the whole lane.
         let chosen = s.load(&block.texture.ga.0[k..]).shl(8).sar(31);
         let chosen = if by_texture { chosen } else { s.splat(0) };
-        let choose = |it: S::I, k0: i32| it ^ ((it ^ s.splat(k0)) & chosen);
         let depth = s.load(&block.z.0[k..]).shl(8) & s.splat(0x00ff_0000);
-        s.store(choose(rb, constant.rb.0[0]), &mut block.scratch.rb.0[k..]);
-        let g = choose(ga, constant.ga.0[0]);
+        let rb = rb ^ ((rb ^ s.splat(constant.rb.0[0])) & chosen);
+        let g = ga ^ ((ga ^ s.splat(constant.ga.0[0])) & chosen);
+        s.store(rb, &mut block.scratch.rb.0[k..]);
         s.store(join(s, g, depth), &mut block.scratch.ga.0[k..]);
     }
 }
@@ -156,26 +157,30 @@ pub(crate) fn combine<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
 }
 
 #[inline(always)]
+fn load<S: Simd>(s: S, lanes: &Lanes, k: usize) -> S::I {
+    s.load(&lanes.0[k..])
+}
+
+#[inline(always)]
 fn run<S: Simd>(s: S, len: usize, pass: &Pass<'_>, from: &Operands<'_>, out: &mut Colors) {
     let state = &pass.pipeline.state;
     let switches = &pass.pipeline.combine;
     let factor = from.color_factor(state.color_combine.unit.factor);
     let factor_alpha = from.alpha_factor(state.alpha_combine.unit.factor);
     for k in (0..len).step_by(S::LANES) {
-        let load = |lanes: &Lanes| s.load(&lanes.0[k..]);
-        let (mut f_rb, mut f_g) = (load(factor.rb), load(factor.ga));
+        let (mut f_rb, mut f_g) = (load(s, factor.rb, k), load(s, factor.ga, k));
         if factor.spread {
             f_rb = spread_alpha(s, f_rb);
             f_g = f_rb;
         }
-        let local_alpha = load(from.local_alpha);
+        let local_alpha = load(s, from.local_alpha, k);
         let alpha = spread_alpha(s, local_alpha);
-        let rb = [load(&from.other.rb), load(&from.local.rb), alpha, f_rb];
+        let rb = [load(s, &from.other.rb, k), load(s, &from.local.rb, k), alpha, f_rb];
         let ga = [
-            join(s, load(&from.other.ga), load(from.other_alpha)),
-            join(s, load(&from.local.ga), local_alpha),
+            join(s, load(s, &from.other.ga, k), load(s, from.other_alpha, k)),
+            join(s, load(s, &from.local.ga, k), local_alpha),
             alpha,
-            join(s, f_g, load(factor_alpha)),
+            join(s, f_g, load(s, factor_alpha, k)),
         ];
         s.store(switches.apply(s, 0, rb), &mut out.rb.0[k..]);
         s.store(switches.apply(s, 1, ga), &mut out.ga.0[k..]);

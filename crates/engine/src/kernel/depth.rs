@@ -133,13 +133,16 @@ pub(crate) fn compare<S: Simd>(op: Compare, source: S::I, reference: S::I) -> u3
 pub(crate) fn depth_test<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
     let depth = &pass.pipeline.state.depth;
     let Some(op) = depth.test else { return };
-    let constant = depth.compare_constant.map(|value| s.splat(i32::from(value)));
+    let constant = depth.compare_constant.map(i32::from);
     let mut passed = 0u64;
     for slot in 0..block.count {
         let at = block.slots[slot].at as usize;
         for j in (0..STAMP).step_by(S::LANES) {
             let k = slot * STAMP + j;
-            let source = constant.unwrap_or(s.load(&block.depth.0[k..]));
+            let source = match constant {
+                Some(value) => s.splat(value),
+                None => s.load(&block.depth.0[k..]),
+            };
             let stored = s.load16(&tile.aux[at + j..]);
             passed |= u64::from(compare::<S>(op, source, stored)) << k;
         }

@@ -36,28 +36,29 @@ fn amount<S: Simd>(s: S, block: &Block, pass: &Pass<'_>, fog: &Fog, k: usize) ->
     }
 }
 
+/// The colour moved towards the fog colour.
+#[inline(always)]
+fn mix<S: Simd>(s: S, color: S::I, fog_color: S::I, amount: S::I) -> S::I {
+    clamp(s, color.add16(scale(s, fog_color.sub16(color), amount)))
+}
+
 /// Fogs `block.color`; alpha stays. The colour before goes to `block.prefog`.
 #[inline(always)]
 pub(crate) fn fog<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
     let Some(fog) = pass.pipeline.state.fog else { return };
     let fog_color = Colors::splat(if fog.drop_fog_color { 0 } else { fog.color & 0xff_ffff });
+    let (fog_rb, fog_ga) = (s.splat(fog_color.rb.0[0]), s.splat(fog_color.ga.0[0]));
     let keep = s.splat(if fog.drop_fragment_color { 0 } else { -1 });
     for k in (0..block.len()).step_by(S::LANES) {
         let amount = amount(s, block, pass, &fog, k);
-        let apply = |color: S::I, fog_color: i32| {
-            let kept = color & keep;
-            let term = s.splat(fog_color).sub16(kept);
-            clamp(s, kept.add16(scale(s, term, amount)))
-        };
-        let add = |color: S::I, fog_color: i32| clamp(s, color.add16(s.splat(fog_color)));
         let rb = s.load(&block.color.rb.0[k..]);
         let ga = s.load(&block.color.ga.0[k..]);
         s.store(rb, &mut block.prefog.rb.0[k..]);
         s.store(ga, &mut block.prefog.ga.0[k..]);
         let (new_rb, new_ga) = if fog.amount == FogAmount::Constant {
-            (add(rb, fog_color.rb.0[0]), add(ga, fog_color.ga.0[0]))
+            (clamp(s, rb.add16(fog_rb)), clamp(s, ga.add16(fog_ga)))
         } else {
-            (apply(rb, fog_color.rb.0[0]), apply(ga, fog_color.ga.0[0]))
+            (mix(s, rb & keep, fog_rb, amount), mix(s, ga & keep, fog_ga, amount))
         };
         s.store(new_rb, &mut block.color.rb.0[k..]);
         s.store(join(s, new_ga, ga), &mut block.color.ga.0[k..]);

@@ -107,19 +107,23 @@ fn factor<S: Simd>(s: S, factor: BlendFactor, o: &Operands<S>, other: &[S::I; 2]
     }
 }
 
+/// `(a * fa + b * fb) >> 8`, at most 255, channel by channel.
+#[inline(always)]
+fn weighted_sum<S: Simd>(a: S::I, fa: S::I, b: S::I, fb: S::I) -> S::I {
+    a.mul16(fa).add_sat_u16(b.mul16(fb)).shr16(8)
+}
+
 /// The blended colour. The sum of two products saturates at 65535, which the
 /// shift turns into the limit of 255.
 #[inline(always)]
 fn blend<S: Simd>(s: S, blend: &Blend, o: &Operands<S>) -> [S::I; 2] {
     let fs = factor(s, blend.source, o, &o.destination);
     let fd = factor(s, blend.destination, o, &o.source);
-    let whole = |on: bool| s.splat(if on { 0x0100_0000 } else { 0 });
-    let fs_ga = join(s, fs[1], whole(blend.source_alpha));
-    let fd_ga = join(s, fd[1], whole(blend.destination_alpha));
-    let sum = |a: S::I, fa: S::I, b: S::I, fb: S::I| a.mul16(fa).add_sat_u16(b.mul16(fb)).shr16(8);
+    let fs_ga = join(s, fs[1], s.splat(i32::from(blend.source_alpha) << 24));
+    let fd_ga = join(s, fd[1], s.splat(i32::from(blend.destination_alpha) << 24));
     [
-        sum(o.source[0], fs[0], o.destination[0], fd[0]),
-        sum(o.source[1], fs_ga, o.destination[1], fd_ga),
+        weighted_sum::<S>(o.source[0], fs[0], o.destination[0], fd[0]),
+        weighted_sum::<S>(o.source[1], fs_ga, o.destination[1], fd_ga),
     ]
 }
 
@@ -188,7 +192,10 @@ pub(crate) fn write<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mu
             let k = slot * STAMP + j;
             let live = s.mask((block.live >> k) as u32);
             let color = [s.load(&block.color.rb.0[k..]), s.load(&block.color.ga.0[k..])];
-            let dither = (state.dither != Dither::Off).then(|| s.load(&pass.pipeline.dither[j..]));
+            let dither = match state.dither {
+                Dither::Off => None,
+                _ => Some(s.load(&pass.pipeline.dither[j..])),
+            };
             if state.color_write {
                 match &mut tile.color {
                     ColorTile::Bits16(pixels, format) => {

@@ -185,12 +185,17 @@ fn levels_by_w<S: Simd>(s: S, plan: &UnitPlan, levels: &StampLevels, w: S::F) ->
     lookup(s, plan, level, bilinear)
 }
 
+/// All ones for a filter of four texels, zero for a single one.
+#[inline(always)]
+fn ones<S: Simd>(s: S, filter: Filter) -> S::I {
+    s.splat(if filter == Filter::Bilinear { -1 } else { 0 })
+}
+
 /// All ones where the fragment is filtered. The magnification filter serves
 /// the finest level of detail allowed, the other one everything coarser.
 #[inline(always)]
 fn bilinear_lanes<S: Simd>(s: S, plan: &UnitPlan, base: i32, w: S::F) -> S::I {
-    let ones = |filter: Filter| s.splat(if filter == Filter::Bilinear { -1 } else { 0 });
-    let (minify, magnify) = (ones(plan.unit.minify), ones(plan.unit.magnify));
+    let (minify, magnify) = (ones(s, plan.unit.minify), ones(s, plan.unit.magnify));
     if plan.unit.minify == plan.unit.magnify || plan.lod_min == plan.lod_max {
         return magnify;
     }
@@ -200,9 +205,8 @@ fn bilinear_lanes<S: Simd>(s: S, plan: &UnitPlan, base: i32, w: S::F) -> S::I {
 /// Address lanes of the levels that levels of detail select.
 #[inline(always)]
 fn levels_by_lod<S: Simd>(s: S, plan: &UnitPlan, lod: S::I) -> LevelLanes<S> {
-    let ones = |filter: Filter| s.splat(if filter == Filter::Bilinear { -1 } else { 0 });
     let finest = lod.eq(s.splat(plan.lod_min));
-    let bilinear = ones(plan.unit.magnify).select(ones(plan.unit.minify), finest);
+    let bilinear = ones(s, plan.unit.magnify).select(ones(s, plan.unit.minify), finest);
     lookup(s, plan, lod.sar(8), bilinear)
 }
 

@@ -22,22 +22,13 @@ pub(crate) fn texture_combine<S: Simd>(s: S, block: &mut Block, plan: &UnitPlan)
         let local_rb = s.load(&block.scratch.rb.0[k..]);
         let local_ga = s.load(&block.scratch.ga.0[k..]);
         let alpha = spread_alpha(s, local_ga);
-        let factor = |factor: TextureFactor| match factor {
-            TextureFactor::Zero => [zero; 2],
-            TextureFactor::Local => [local_rb, local_ga],
-            TextureFactor::OtherAlpha => [spread_alpha(s, other_ga); 2],
-            TextureFactor::LocalAlpha => [alpha; 2],
-            TextureFactor::Detail => [detail(s, plan, s.load(&block.lod.0[k..])); 2],
-            TextureFactor::LodFraction => {
-                let fraction = s.load(&block.lod.0[k..]) & s.splat(0xff);
-                [fraction | fraction.shl(16); 2]
-            }
-        };
-        let color = factor(combine.color.factor);
-        let alpha_factor = factor(combine.alpha.factor);
+        let local = [local_rb, local_ga];
+        let lod = s.load(&block.lod.0[k..]);
+        let color = factor(s, plan, combine.color.factor, local, other_ga, lod);
+        let alpha_factor = factor(s, plan, combine.alpha.factor, local, other_ga, lod);
         let odd = if plan.unit.trilinear {
             // Bit 0 of the level over both halves, as 0xff.
-            s.load(&block.lod.0[k..]).shl(23).sar(31) & s.splat(0x00ff_00ff)
+            lod.shl(23).sar(31) & s.splat(0x00ff_00ff)
         } else {
             zero
         };
@@ -45,6 +36,29 @@ pub(crate) fn texture_combine<S: Simd>(s: S, block: &mut Block, plan: &UnitPlan)
         let ga = [other_ga, local_ga, alpha, join(s, color[1], alpha_factor[1]) ^ odd];
         s.store(plan.switches.apply(s, 0, rb), &mut block.texture.rb.0[k..]);
         s.store(plan.switches.apply(s, 1, ga), &mut block.texture.ga.0[k..]);
+    }
+}
+
+/// A factor for both vectors.
+#[inline(always)]
+fn factor<S: Simd>(
+    s: S,
+    plan: &UnitPlan,
+    factor: TextureFactor,
+    local: [S::I; 2],
+    other_ga: S::I,
+    lod: S::I,
+) -> [S::I; 2] {
+    match factor {
+        TextureFactor::Zero => [s.splat(0); 2],
+        TextureFactor::Local => local,
+        TextureFactor::OtherAlpha => [spread_alpha(s, other_ga); 2],
+        TextureFactor::LocalAlpha => [spread_alpha(s, local[1]); 2],
+        TextureFactor::Detail => [detail(s, plan, lod); 2],
+        TextureFactor::LodFraction => {
+            let fraction = lod & s.splat(0xff);
+            [fraction | fraction.shl(16); 2]
+        }
     }
 }
 
