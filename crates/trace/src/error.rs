@@ -12,7 +12,7 @@ use crate::chunk::Version;
 pub enum TraceError {
     /// The file below failed. A file that merely ends is no error: see
     /// [`Ending::Truncated`](crate::Ending::Truncated).
-    #[error("trace file: {0}")]
+    #[error("trace file cannot be read or written")]
     Io(#[from] io::Error),
     /// The file does not start as a trace does.
     #[error("not a fillrate trace")]

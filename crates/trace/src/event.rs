@@ -37,8 +37,7 @@ pub struct FrameInfo {
     pub width: u32,
     /// Height in pixels.
     pub height: u32,
-    /// Hash of the pixels, if it was taken: XXH3 of 64 bits over what the front end's replay
-    /// hashes as well.
+    /// Hash of the pixels, if it was taken: see [`hash_frame`](crate::hash_frame).
     pub hash: Option<u64>,
 }
 

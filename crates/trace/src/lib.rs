@@ -30,6 +30,7 @@ mod chunk;
 mod error;
 mod event;
 pub mod meta;
+mod pixels;
 mod reader;
 mod writer;
 
@@ -38,5 +39,6 @@ pub use error::{Damage, TraceError};
 pub use event::{CallBatch, Counts, Ending, Event, FrameEnd, FrameInfo};
 pub use fillrate_call::{BlobId, Data};
 pub use meta::Meta;
+pub use pixels::{PixelsRef, hash_frame};
 pub use reader::TraceReader;
 pub use writer::{TraceWriter, WriterOptions};
