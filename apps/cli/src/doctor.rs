@@ -1,0 +1,86 @@
+//! `fillrate doctor`: what this machine offers and how we are set up.
+
+use anyhow::Result;
+use clap::Args;
+use fillrate_simd::Level;
+use serde_json::json;
+
+use crate::Outcome;
+use crate::library;
+
+/// Options of `fillrate doctor`.
+#[derive(Args, Debug)]
+pub struct DoctorArgs {
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+/// The command.
+pub fn doctor(args: &DoctorArgs) -> Result<Outcome> {
+    let levels: Vec<&str> = Level::available().map(Level::name).collect();
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let found = library::folder_of(library::GLIDE2X);
+    let settings = variables();
+    if args.json {
+        let object = json!({
+            "version": env!("CARGO_PKG_VERSION"),
+            "target": std::env::consts::ARCH,
+            "levels": levels,
+            "best": Level::best().name(),
+            "cores": threads,
+            "library": found,
+            "variables": settings.iter().cloned().collect::<std::collections::BTreeMap<_, _>>(),
+        });
+        println!("{object}");
+        return Ok(if found.is_some() { Outcome::Same } else { Outcome::BadInput });
+    }
+    println!("fillrate {} on {}", env!("CARGO_PKG_VERSION"), std::env::consts::ARCH);
+    println!("simd levels  {} (best: {})", levels.join(" "), Level::best());
+    println!("cores        {threads}");
+    match &found {
+        Some(folder) => println!("library      {}", folder.join(library::GLIDE2X).display()),
+        None => println!("library      {} not found", library::GLIDE2X),
+    }
+    for folder in library::candidates() {
+        let mark = if Some(&folder) == found.as_ref() { "*" } else { " " };
+        println!("  looked in {mark} {}", folder.display());
+    }
+    if settings.is_empty() {
+        println!("variables    none set");
+    }
+    for (name, value) in &settings {
+        println!("variable     {name}={value}");
+    }
+    if let Some(problem) = settings.iter().find_map(|(name, value)| problem(name, value)) {
+        println!("problem      {problem}");
+        return Ok(Outcome::BadInput);
+    }
+    Ok(if found.is_some() { Outcome::Same } else { Outcome::BadInput })
+}
+
+/// Our variables and the original library's that are set, by name.
+fn variables() -> Vec<(String, String)> {
+    let ours = |name: &str| {
+        ["FILLRATE_", "FX_GLIDE_", "SST_"].iter().any(|prefix| name.starts_with(prefix))
+    };
+    let mut list: Vec<_> = std::env::vars().filter(|(name, _)| ours(name)).collect();
+    list.sort();
+    list
+}
+
+/// What is wrong with a variable's value, if anything.
+fn problem(name: &str, value: &str) -> Option<String> {
+    match name {
+        "FILLRATE_SIMD" => match value.parse::<Level>() {
+            Ok(level) if level.is_available() => None,
+            Ok(level) => Some(format!("{name}: this machine has no {level}")),
+            Err(error) => Some(format!("{name}: {error}")),
+        },
+        "FILLRATE_THREADS" => match value.parse::<u16>() {
+            Ok(1..=256) => None,
+            _ => Some(format!("{name}: '{value}' is not a count from 1 to 256")),
+        },
+        _ => None,
+    }
+}

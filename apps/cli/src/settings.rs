@@ -1,0 +1,40 @@
+//! The options that say how to draw; the same for every command.
+
+use clap::Args;
+use fillrate_simd::Level;
+
+/// How to draw. None of it changes a pixel.
+#[derive(Args, Clone, Debug, Default)]
+pub struct Settings {
+    /// Threads that draw, the program's own included
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
+    pub threads: Option<u16>,
+    /// SIMD level: scalar, sse4.1, avx2, avx512, neon, simd128
+    #[arg(long, value_name = "LEVEL", value_parser = available_level)]
+    pub simd: Option<Level>,
+}
+
+impl Settings {
+    /// The level asked for, or the machine's widest.
+    pub fn level(&self) -> Level {
+        self.simd.unwrap_or_else(Level::best)
+    }
+
+    /// The threads asked for, or as many as there are cores.
+    pub fn threads(&self) -> usize {
+        let all = || std::thread::available_parallelism().map_or(1, usize::from);
+        self.threads.map_or_else(all, usize::from)
+    }
+
+    /// The settings as environment variables of a program.
+    pub fn variables(&self) -> Vec<(&'static str, String)> {
+        let threads = self.threads.map(|n| ("FILLRATE_THREADS", n.to_string()));
+        let simd = self.simd.map(|level| ("FILLRATE_SIMD", level.to_string()));
+        threads.into_iter().chain(simd).collect()
+    }
+}
+
+fn available_level(text: &str) -> Result<Level, String> {
+    let level: Level = text.parse().map_err(|error| format!("{error}"))?;
+    if level.is_available() { Ok(level) } else { Err(format!("this machine has no {level}")) }
+}

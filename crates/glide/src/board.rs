@@ -1,0 +1,216 @@
+//! One board: registers, memories, buffers.
+
+use std::sync::Arc;
+
+use fillrate_engine::state::{FogTable, MAX_TMUS, Origin};
+use fillrate_engine::{Device, DrawState, PixelFormat, SurfaceId, Texture};
+
+use crate::card::{Card, RESOLUTIONS};
+use crate::enums::{MIPMAP_DISABLE, RESOLUTION_NONE};
+use crate::lfb::Lfb;
+use crate::registers::{FbiRegisters, TmuRegisters, fbz};
+use crate::texture::TextureMemory;
+use crate::translate::{draw_state, uses_texel};
+use crate::vertex::VertexRules;
+
+/// What a texture unit's registers do not say.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct UnitSettings {
+    pub mip_map_mode: i32,
+    pub small_lod: u32,
+    pub large_lod: u32,
+}
+
+/// State outside the registers. All of it is saved and restored with them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Settings {
+    pub cull: i32,
+    pub stw_hints: u32,
+    pub allow_lod_dither: bool,
+    pub delta0: bool,
+    /// Red, green, blue, alpha.
+    pub constant: [f32; 4],
+    pub lfb_alpha: u8,
+    pub lfb_depth: u16,
+    pub color_format: i32,
+    /// As given: min x, min y, max x, max y.
+    pub clip: [f32; 4],
+    pub units: [UnitSettings; MAX_TMUS],
+}
+
+/// The buffers of an open board.
+#[derive(Debug)]
+pub(crate) struct Buffers {
+    pub width: u32,
+    pub height: u32,
+    /// Displayed first, then back, then the third.
+    pub colors: Vec<SurfaceId>,
+    pub aux: Option<SurfaceId>,
+}
+
+/// A board and everything on it.
+#[derive(Debug)]
+pub(crate) struct Board {
+    pub card: Card,
+    pub device: Device,
+    pub fbi: FbiRegisters,
+    pub tmus: Vec<TmuRegisters>,
+    pub settings: Settings,
+    pub fog_table: FogTable,
+    pub gamma: f32,
+    pub memories: Vec<TextureMemory>,
+    pub buffers: Option<Buffers>,
+    pub lfb: Lfb,
+    /// Swaps since the board was opened.
+    pub swaps: u64,
+    /// A clock that moves by a step whenever somebody looks.
+    pub ticks: u32,
+    /// Registers changed since the engine was told.
+    pub dirty: bool,
+    /// How vertices are read, while not dirty.
+    pub rules: VertexRules,
+    pub dither_subtract: bool,
+}
+
+impl Board {
+    pub fn new(card: Card, device: Device) -> Board {
+        let memory = || TextureMemory::new(card.texture_bytes());
+        Board {
+            card,
+            device,
+            fbi: FbiRegisters::default(),
+            tmus: vec![TmuRegisters::default(); card.units],
+            settings: default_settings(0, (0, 0)),
+            fog_table: FogTable::default(),
+            gamma: 1.7,
+            memories: (0..card.units).map(|_| memory()).collect(),
+            buffers: None,
+            lfb: Lfb::default(),
+            swaps: 0,
+            ticks: 0,
+            dirty: true,
+            rules: VertexRules::default(),
+            dither_subtract: true,
+        }
+    }
+
+    pub fn is_open(&self) -> bool {
+        self.buffers.is_some()
+    }
+
+    /// Makes the buffers and the default state; false where the board cannot.
+    ///
+    /// Source: G246, `grSstWinOpen`.
+    pub fn open(&mut self, resolution: i32, origin: i32, colors: i32, aux: i32) -> bool {
+        if resolution == RESOLUTION_NONE || !(2..=3).contains(&colors) || !(0..=1).contains(&aux) {
+            return false;
+        }
+        let Some(&(width, height)) =
+            usize::try_from(resolution).ok().and_then(|index| RESOLUTIONS.get(index))
+        else {
+            return false;
+        };
+        if !self.card.holds(resolution as usize, (colors + aux) as u32) {
+            return false;
+        }
+        let Ok(buffers) = self.make_buffers(width, height, colors as usize, aux == 1) else {
+            return false;
+        };
+        self.buffers = Some(buffers);
+        self.swaps = 0;
+        self.fog_table = FogTable::default();
+        self.gamma = 1.7;
+        self.device.reset_counters();
+        self.set_defaults(origin, (width, height));
+        true
+    }
+
+    fn make_buffers(
+        &mut self,
+        width: u32,
+        height: u32,
+        colors: usize,
+        aux: bool,
+    ) -> Result<Buffers, fillrate_engine::EngineError> {
+        let mut buffers = Buffers { width, height, colors: Vec::new(), aux: None };
+        for _ in 0..colors {
+            buffers.colors.push(self.device.create_surface(width, height, PixelFormat::Rgb565)?);
+        }
+        if aux {
+            buffers.aux = Some(self.device.create_surface(width, height, PixelFormat::Aux16)?);
+        }
+        Ok(buffers)
+    }
+
+    pub fn close(&mut self) {
+        let Some(buffers) = self.buffers.take() else { return };
+        self.lfb = Lfb::default();
+        for id in buffers.colors.into_iter().chain(buffers.aux) {
+            // They were made by this device and are destroyed once.
+            let _ = self.device.destroy_surface(id);
+        }
+    }
+
+    /// The surface a buffer number means: 0 the displayed one, 1 the one
+    /// behind it.
+    pub fn color_surface(&self, buffer: u32) -> Option<SurfaceId> {
+        let buffers = self.buffers.as_ref()?;
+        buffers.colors.get(if buffer == 0 { 0 } else { 1 }).copied()
+    }
+
+    /// Tells the engine what the registers say, where that changed.
+    pub fn update(&mut self) {
+        if !self.dirty || self.buffers.is_none() {
+            return;
+        }
+        self.dirty = false;
+        let state = draw_state(&self.fbi, &self.tmus, &self.fog_table);
+        let textures = self.textures(&state);
+        let color = self.color_surface(self.fbi.fbz_mode >> 14 & 3);
+        let aux = self.buffers.as_ref().and_then(|buffers| buffers.aux);
+        if let Some(color) = color {
+            // Both were made by this device, of one size.
+            let _ = self.device.set_target(color, aux);
+        }
+        self.device.set_state(&state, textures);
+        self.rules = VertexRules {
+            hints: self.settings.stw_hints,
+            unit0_active: uses_texel(&self.tmus[0]),
+            constant: self.settings.delta0.then(|| {
+                let [r, g, b, _] = self.settings.constant;
+                [r, g, b].map(f32::to_bits)
+            }),
+        };
+    }
+
+    fn textures(&mut self, state: &DrawState) -> [Option<Arc<Texture>>; MAX_TMUS] {
+        let mut textures = [const { None }; MAX_TMUS];
+        for (i, texture) in textures.iter_mut().enumerate() {
+            if state.units[i].is_some() && uses_texel(&self.tmus[i]) {
+                *texture = Some(self.memories[i].texture(&self.tmus[i]));
+            }
+        }
+        textures
+    }
+
+    /// Row order of drawing.
+    pub fn origin(&self) -> Origin {
+        if self.fbi.fbz_mode & fbz::LOWER_LEFT != 0 { Origin::LowerLeft } else { Origin::UpperLeft }
+    }
+}
+
+/// The state outside the registers after a board is opened.
+pub(crate) fn default_settings(color_format: i32, (width, height): (u32, u32)) -> Settings {
+    Settings {
+        cull: 0,
+        stw_hints: 0,
+        allow_lod_dither: false,
+        delta0: false,
+        constant: [0.0; 4],
+        lfb_alpha: 0xff,
+        lfb_depth: 0,
+        color_format,
+        clip: [0.0, 0.0, width as f32, height as f32],
+        units: [UnitSettings { mip_map_mode: MIPMAP_DISABLE, ..UnitSettings::default() }; MAX_TMUS],
+    }
+}

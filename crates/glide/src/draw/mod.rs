@@ -1,0 +1,9 @@
+//! Primitives.
+
+mod antialias;
+mod clip;
+mod launch;
+mod line;
+mod point;
+mod polygon;
+mod triangle;

@@ -1,0 +1,52 @@
+//! What goes wrong, and how it is told.
+
+use std::fmt;
+
+/// A misuse of the API, as the error callback hears it.
+///
+/// Source: G246: messages have the form "function: text".
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Report {
+    /// The entry point.
+    pub function: String,
+    /// The rule that was broken.
+    pub text: String,
+    /// Whether the original would have ended the program.
+    pub fatal: bool,
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.function, self.text)
+    }
+}
+
+/// A call's name as the headers spell it.
+pub(crate) fn historic_name(name: &str) -> String {
+    // The first letter is small; some names have other capitals besides.
+    const OTHERS: [(&str, &str); 7] = [
+        ("GrAlphaControlsItrgbLighting", "grAlphaControlsITRGBLighting"),
+        ("GrTexNccTable", "grTexNCCTable"),
+        ("GrAaDrawPoint", "grAADrawPoint"),
+        ("GrAaDrawLine", "grAADrawLine"),
+        ("GrAaDrawTriangle", "grAADrawTriangle"),
+        ("GrAaDrawPolygon", "grAADrawPolygon"),
+        ("GuAaDrawTriangleWithClip", "guAADrawTriangleWithClip"),
+    ];
+    if let Some((_, theirs)) = OTHERS.iter().find(|(ours, _)| *ours == name) {
+        return (*theirs).to_string();
+    }
+    name.replacen('G', "g", 1)
+}
+
+/// Why a context cannot be made.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum GlideError {
+    /// The engine refused.
+    #[error(transparent)]
+    Engine(#[from] fillrate_engine::EngineError),
+    /// The board's memory is out of range.
+    #[error("a board has 1 to 3 texture units of 1 to 4 MB and 1 to 4 MB of frame buffer")]
+    Card,
+}

@@ -1,0 +1,499 @@
+//! Carrying out calls.
+
+use crate::board::Board;
+use crate::call::Call;
+use crate::combine::{alpha_preset, color_preset, is_delta0, texture_preset};
+use crate::context::Context;
+use crate::enums::*;
+use crate::registers::{fbz, replace};
+use crate::texture::layout;
+use crate::texture_state::TextureInfo;
+
+/// Whether a chain of textures would cross a boundary of two megabytes.
+fn crosses_bank(start: u32, info: &TextureInfo, even_odd: u32) -> bool {
+    let (small, large) = (info.small_lod as u32, info.large_lod as u32);
+    let bytes = layout::chain_bytes(small, large, info.aspect, info.format, even_odd);
+    bytes > 0 && start >> 21 != (start.saturating_add(bytes - 1)) >> 21
+}
+
+impl Context {
+    /// Carries out a call. Returns what the original returned as a number:
+    /// 1 and 0 for true and false, 0 for nothing.
+    pub fn execute(&mut self, call: &Call) -> u32 {
+        match call {
+            Call::GrGlideInit {} => self.init(),
+            Call::GrGlideShutdown {} => self.shutdown(),
+            Call::GrSstSelect { board } => self.select(*board),
+            Call::GrSstWinOpen { resolution, color_format, origin, colors, aux, .. } => {
+                return u32::from(self.open(*resolution, *color_format, *origin, *colors, *aux));
+            }
+            Call::GrSstWinClose {} => {
+                if let Some(board) = self.boards.get_mut(self.current) {
+                    board.close();
+                }
+            }
+            Call::GrTexSource { .. }
+            | Call::GrTexDownloadMipMap { .. }
+            | Call::GrTexDownloadMipMapLevelPartial { .. }
+            | Call::GrTexDownloadTable { .. }
+            | Call::GrTexNccTable { .. }
+            | Call::GrTexClampMode { .. }
+            | Call::GrTexCombine { .. }
+            | Call::GrTexCombineFunction { .. }
+            | Call::GrTexDetailControl { .. }
+            | Call::GrTexFilterMode { .. }
+            | Call::GrTexLodBiasValue { .. }
+            | Call::GrTexMipMapMode { .. }
+            | Call::GrTexMultibase { .. }
+            | Call::GrTexMultibaseAddress { .. } => self.texture_call(call),
+            Call::GrLfbLock { .. }
+            | Call::GrLfbUnlock { .. }
+            | Call::GrLfbConstantAlpha { .. }
+            | Call::GrLfbConstantDepth { .. }
+            | Call::GrLfbWriteColorFormat { .. }
+            | Call::GrLfbWriteRegion { .. }
+            | Call::GrLfbWriteMode { .. }
+            | Call::GrLfbOrigin { .. }
+            | Call::GrLfbBypassMode { .. } => return u32::from(self.lfb_call(call)),
+            Call::GrBufferSwap { interval } => self.swap(*interval),
+            _ => self.board_call(call),
+        }
+        0
+    }
+
+    fn select(&mut self, index: i32) {
+        match usize::try_from(index).ok().filter(|&index| index < self.boards.len()) {
+            Some(index) => self.current = index,
+            None => self.report("grSstSelect", "there is no such board"),
+        }
+    }
+
+    fn open(&mut self, resolution: i32, format: i32, origin: i32, colors: i32, aux: i32) -> bool {
+        let Some(board) = self.boards.get_mut(self.current) else {
+            self.check(false, "grSstWinOpen", "the library was not started");
+            return false;
+        };
+        if board.is_open() {
+            self.check(false, "grSstWinOpen", "the board is open already");
+            return false;
+        }
+        if !(0..=3).contains(&format) {
+            self.check(false, "grSstWinOpen", "unknown colour format");
+            return false;
+        }
+        board.settings.color_format = format;
+        let opened = board.open(resolution, origin, colors, aux);
+        if opened && let Some(gamma) = self.config.variables.get("SST_GAMMA") {
+            board.gamma = gamma.parse().ok().filter(|&g: &f32| g > 0.0).unwrap_or(board.gamma);
+        }
+        opened
+    }
+
+    fn swap(&mut self, interval: i32) {
+        self.check((0..=255).contains(&interval), "grBufferSwap", "interval is outside 0..255");
+        if let Some(board) = self.board("grBufferSwap") {
+            board.swap();
+        }
+    }
+
+    /// Calls that need an open board and nothing else.
+    fn board_call(&mut self, call: &Call) {
+        use fillrate_call::Tagged;
+        let name = call.name();
+        let Some(board) = self.board(name) else { return };
+        let known = pixel_call(board, call) && draw_call(board, call);
+        self.check(known, name, "an argument is not one of the enumerants");
+    }
+
+    fn texture_call(&mut self, call: &Call) {
+        use fillrate_call::Tagged;
+        let name = call.name();
+        match call {
+            Call::GrTexSource { tmu, start, even_odd, small_lod, large_lod, aspect, format } => {
+                let (small_lod, large_lod, aspect, format) =
+                    (*small_lod, *large_lod, *aspect, *format);
+                let info = TextureInfo { small_lod, large_lod, aspect, format };
+                if let Some((board, unit)) = self.texture_unit(name, *tmu, *start, *even_odd, &info)
+                {
+                    board.set_source(unit, *start, *even_odd, &info);
+                }
+            }
+            Call::GrTexDownloadMipMap {
+                tmu,
+                start,
+                even_odd,
+                small_lod,
+                large_lod,
+                aspect,
+                format,
+                data,
+            } => {
+                let (small_lod, large_lod, aspect, format) =
+                    (*small_lod, *large_lod, *aspect, *format);
+                let info = TextureInfo { small_lod, large_lod, aspect, format };
+                if let Some((board, unit)) = self.texture_unit(name, *tmu, *start, *even_odd, &info)
+                {
+                    let mut rest = &data[..];
+                    for lod in large_lod as u32..=small_lod as u32 {
+                        let rows = (0, u32::from(u8::MAX));
+                        let used =
+                            board.download_rows(unit, *start, lod, &info, *even_odd, rows, rest);
+                        rest = &rest[used..];
+                    }
+                }
+            }
+            Call::GrTexDownloadMipMapLevelPartial {
+                tmu,
+                start,
+                this_lod,
+                large_lod,
+                aspect,
+                format,
+                even_odd,
+                data,
+                first,
+                last,
+            } => {
+                let (large_lod, aspect, format) = (*large_lod, *aspect, *format);
+                let info = TextureInfo { small_lod: *this_lod, large_lod, aspect, format };
+                let (width, height) = layout::size(aspect, (*this_lod).clamp(0, 8) as u32);
+                let rows = *first >= 0 && first <= last && *last < height as i32 && width > 0;
+                self.check(rows, name, "rows are outside the level");
+                if rows
+                    && let Some((board, unit)) =
+                        self.texture_unit(name, *tmu, *start, *even_odd, &info)
+                {
+                    let rows = (*first as u32, *last as u32);
+                    let lod = *this_lod as u32;
+                    board.download_rows(unit, *start, lod, &info, *even_odd, rows, data);
+                }
+            }
+            Call::GrTexMultibaseAddress {
+                tmu,
+                range,
+                start,
+                even_odd,
+                small_lod,
+                large_lod,
+                aspect,
+                format,
+            } => {
+                let (small_lod, large_lod, aspect, format) =
+                    (*small_lod, *large_lod, *aspect, *format);
+                let info = TextureInfo { small_lod, large_lod, aspect, format };
+                if let Some((board, unit)) = self.texture_unit(name, *tmu, *start, *even_odd, &info)
+                {
+                    board.set_multibase_address(unit, *range, *start, *even_odd, &info);
+                }
+            }
+            _ => self.texture_mode_call(name, call),
+        }
+    }
+
+    /// Checks what every call with a texture address needs.
+    fn texture_unit(
+        &mut self,
+        name: &str,
+        tmu: i32,
+        start: u32,
+        even_odd: u32,
+        info: &TextureInfo,
+    ) -> Option<(&mut Board, usize)> {
+        self.unit(name, tmu)?;
+        let size = self.config.card.texture_bytes() as u32;
+        let valid = info.is_valid() && (1..=3).contains(&even_odd);
+        self.check(valid, name, "the texture's description is out of range");
+        self.check(start.is_multiple_of(8), name, "the address is not a multiple of eight");
+        self.check(start < size, name, "the address is beyond texture memory");
+        if !valid {
+            return None;
+        }
+        if crosses_bank(start, info, even_odd) {
+            self.report(name, "the texture crosses a boundary of two megabytes");
+            return None;
+        }
+        self.unit(name, tmu)
+    }
+
+    fn texture_mode_call(&mut self, name: &str, call: &Call) {
+        let known = match *call {
+            Call::GrTexDownloadTable { tmu, table, first, ref words } => {
+                let Some((board, unit)) = self.unit(name, tmu) else { return };
+                download_table(board, unit, table, first as usize, words)
+            }
+            Call::GrTexNccTable { tmu, table } => {
+                let Some((board, unit)) = self.unit(name, tmu) else { return };
+                board.set_ncc_table(unit, table)
+            }
+            Call::GrTexClampMode { tmu, s, t } => {
+                let Some((board, unit)) = self.unit(name, tmu) else { return };
+                board.set_clamp(unit, s, t)
+            }
+            Call::GrTexCombine {
+                tmu,
+                rgb_function,
+                rgb_factor,
+                alpha_function,
+                alpha_factor,
+                rgb_invert,
+                alpha_invert,
+            } => {
+                let Some((board, unit)) = self.unit(name, tmu) else { return };
+                let functions = [rgb_function, rgb_factor, alpha_function, alpha_factor];
+                board.set_texture_combine(unit, functions, [rgb_invert != 0, alpha_invert != 0])
+            }
+            Call::GrTexCombineFunction { tmu, function } => {
+                let Some((board, unit)) = self.unit(name, tmu) else { return };
+                match texture_preset(function) {
+                    Some((f, factor, invert)) => {
+                        board.set_texture_combine(unit, [f, factor, f, factor], [invert; 2])
+                    }
+                    None => return self.report(name, "unknown texture combine function"),
+                }
+            }
+            Call::GrTexDetailControl { tmu, lod_bias, scale, max } => {
+                let Some((board, unit)) = self.unit(name, tmu) else { return };
+                board.set_detail(unit, lod_bias, scale, max);
+                (-32..=31).contains(&lod_bias) && scale <= 7 && (0.0..=1.0).contains(&max)
+            }
+            Call::GrTexFilterMode { tmu, minify, magnify } => {
+                let Some((board, unit)) = self.unit(name, tmu) else { return };
+                board.set_filter(unit, minify, magnify)
+            }
+            Call::GrTexLodBiasValue { tmu, bias } => {
+                let Some((board, unit)) = self.unit(name, tmu) else { return };
+                board.set_lod_bias(unit, bias);
+                (-8.0..=7.75).contains(&bias)
+            }
+            Call::GrTexMipMapMode { tmu, mode, blend } => {
+                let Some((board, unit)) = self.unit(name, tmu) else { return };
+                board.set_mip_map_mode(unit, mode, blend != 0)
+            }
+            Call::GrTexMultibase { tmu, enable } => {
+                let Some((board, unit)) = self.unit(name, tmu) else { return };
+                board.set_multibase(unit, enable != 0);
+                true
+            }
+            _ => true,
+        };
+        self.check(known, name, "an argument is out of range");
+    }
+
+    fn lfb_call(&mut self, call: &Call) -> bool {
+        match call {
+            Call::GrLfbLock { kind, buffer, mode, origin, pipeline } => {
+                self.lfb_lock(*kind, *buffer, *mode, *origin, *pipeline != 0).is_some()
+            }
+            Call::GrLfbUnlock { kind, buffer, written } => {
+                let Some(board) = self.board("grLfbUnlock") else { return false };
+                if let (Some(data), Some(words)) = (written, board.lock_words(*kind)) {
+                    for (word, bytes) in words.iter_mut().zip(data.as_chunks().0) {
+                        *word = u32::from_le_bytes(*bytes);
+                    }
+                }
+                let unlocked = board.unlock(*kind, *buffer);
+                self.check(unlocked, "grLfbUnlock", "there is no such lock");
+                unlocked
+            }
+            Call::GrLfbWriteRegion { buffer, x, y, format, width, height, stride, data } => {
+                let Some(board) = self.board("grLfbWriteRegion") else { return false };
+                let stride = usize::try_from(*stride).unwrap_or(0);
+                board.write_region(*buffer, (*x, *y), *format, (*width, *height), stride, data)
+            }
+            _ => self.lfb_setting(call),
+        }
+    }
+
+    fn lfb_setting(&mut self, call: &Call) -> bool {
+        let Some(board) = self.board("grLfb") else { return false };
+        match *call {
+            Call::GrLfbConstantAlpha { alpha } => {
+                board.settings.lfb_alpha = alpha;
+                if board.lfb.write.is_some() {
+                    board.fbi.za_color =
+                        replace(board.fbi.za_color, 0xff << 24, u32::from(alpha) << 24);
+                }
+            }
+            Call::GrLfbConstantDepth { depth } => {
+                board.settings.lfb_depth = depth;
+                if board.lfb.write.is_some() {
+                    board.fbi.za_color = replace(board.fbi.za_color, 0xffff, u32::from(depth));
+                }
+            }
+            Call::GrLfbWriteColorFormat { format } if (0..=3).contains(&format) => {
+                board.settings.color_format = format;
+            }
+            Call::GrLfbWriteMode { mode } => board.lfb.old.mode = mode,
+            Call::GrLfbOrigin { origin } => board.lfb.old.origin = origin,
+            Call::GrLfbBypassMode { mode } => board.lfb.old.pipeline = mode == 0,
+            _ => {}
+        }
+        board.dirty = true;
+        true
+    }
+
+    /// Write mode, row order and pipeline use of the calls before 2.4.
+    pub fn old_lfb_settings(&self) -> (i32, i32, bool) {
+        let board = self.boards.get(self.current);
+        let old = board.map(|board| board.lfb.old).unwrap_or_default();
+        (old.mode, old.origin, old.pipeline)
+    }
+}
+
+/// Palette entries, or words of a compression table.
+fn download_table(board: &mut Board, unit: usize, table: i32, first: usize, words: &[u32]) -> bool {
+    match table {
+        0 | 1 => board.memories[unit].set_ncc(table as usize, first, words),
+        TEXTABLE_PALETTE => board.memories[unit].set_palette(first, words),
+        _ => return false,
+    }
+    board.dirty = true;
+    true
+}
+
+/// State of the pixel pipeline. False for an unknown enumerant.
+fn pixel_call(board: &mut Board, call: &Call) -> bool {
+    match *call {
+        Call::GrGlideSetState { ref state } => return board.restore(state),
+        Call::GrHints { hint, mask } => return set_hint(board, hint, mask),
+        Call::GrSstOrigin { origin } => return board.set_origin(origin),
+        Call::GrSstResetPerfStats {} | Call::GrResetTriStats {} => board.device.reset_counters(),
+        Call::GrSstConfigPipeline { chip, register, value } => {
+            return set_register(board, chip, register, value);
+        }
+        Call::GrBufferClear { color, alpha, depth } => board.clear(color, alpha, depth),
+        Call::GrRenderBuffer { buffer } => return board.set_render_buffer(buffer),
+        Call::GrClipWindow { x0, y0, x1, y1 } => board.set_clip([x0, y0, x1, y1]),
+        Call::GrColorMask { rgb, alpha } => board.set_color_mask(rgb != 0, alpha != 0),
+        Call::GrDepthMask { mask } => board.set_depth_mask(mask != 0),
+        Call::GrAlphaBlendFunction {
+            rgb_source,
+            rgb_destination,
+            alpha_source,
+            alpha_destination,
+        } => {
+            return board.set_blend([rgb_source, rgb_destination, alpha_source, alpha_destination]);
+        }
+        Call::GrAlphaCombine { function, factor, local, other, invert } => {
+            return board.set_alpha_combine(function, factor, local, other, invert != 0);
+        }
+        Call::GrAlphaControlsItrgbLighting { enable } => {
+            board.set_local_by_texture_alpha(enable != 0);
+        }
+        Call::GrAlphaTestFunction { function } => return board.set_alpha_test(function),
+        Call::GrAlphaTestReferenceValue { value } => board.set_alpha_reference(value),
+        Call::GrChromakeyMode { mode } => return board.set_chroma_mode(mode),
+        Call::GrChromakeyValue { value } => board.set_chroma_value(value),
+        Call::GrColorCombine { function, factor, local, other, invert } => {
+            return board.set_color_combine(function, factor, local, other, invert != 0);
+        }
+        Call::GrConstantColorValue { value } => board.set_constant_color(value),
+        Call::GrConstantColorValue4 { a, r, g, b } => {
+            board.settings.constant = [r, g, b, a];
+            board.dirty = true;
+        }
+        Call::GrCullMode { mode } => return board.set_cull(mode),
+        Call::GrDepthBiasLevel { level } => board.set_depth_bias(level),
+        Call::GrDepthBufferFunction { function } => return board.set_depth_function(function),
+        Call::GrDepthBufferMode { mode } => return board.set_depth_mode(mode),
+        Call::GrDisableAllEffects {} => board.disable_all_effects(),
+        Call::GrDitherMode { mode } => return board.set_dither(mode),
+        Call::GrFogColorValue { color } => board.set_fog_color(color),
+        Call::GrFogMode { mode } => return board.set_fog_mode(mode),
+        Call::GrFogTable { ref table } => board.set_fog_table(table),
+        Call::GrGammaCorrectionValue { value } if value > 0.0 => board.gamma = value,
+        Call::GuColorCombineFunction { function } => return color_function(board, function),
+        Call::GuAlphaSource { mode } => {
+            let Some((f, factor, local, other, invert)) = alpha_preset(mode) else { return false };
+            return board.set_alpha_combine(f, factor, local, other, invert);
+        }
+        _ => {}
+    }
+    true
+}
+
+fn color_function(board: &mut Board, function: i32) -> bool {
+    let Some((f, factor, local, other, invert)) = color_preset(function) else { return false };
+    let known = board.set_color_combine(f, factor, local, other, invert);
+    board.settings.delta0 = is_delta0(function);
+    known
+}
+
+fn set_hint(board: &mut Board, hint: i32, mask: u32) -> bool {
+    match hint {
+        HINT_STW => board.settings.stw_hints = mask,
+        HINT_ALLOW_MIPMAP_DITHER => board.settings.allow_lod_dither = mask != 0,
+        _ => {}
+    }
+    board.dirty = true;
+    (0..=6).contains(&hint)
+}
+
+/// Writes a register by its index in words; those that only tune hardware are
+/// taken and do nothing.
+///
+/// Source: SST1, register map.
+fn set_register(board: &mut Board, chip: i32, register: u32, value: u32) -> bool {
+    board.dirty = true;
+    if chip != GR_FBI {
+        let Some(tmu) = usize::try_from(chip).ok().and_then(|i| board.tmus.get_mut(i)) else {
+            return false;
+        };
+        match register {
+            192 => tmu.texture_mode = value,
+            193 => tmu.t_lod = value,
+            194 => tmu.t_detail = value,
+            195..=198 => tmu.base[register as usize - 195] = value,
+            _ => {}
+        }
+        return true;
+    }
+    let fbi = &mut board.fbi;
+    match register {
+        65 => fbi.fbz_color_path = value,
+        66 => fbi.fog_mode = value,
+        67 => fbi.alpha_mode = value,
+        68 => fbi.fbz_mode = value,
+        69 => fbi.lfb_mode = value,
+        70 => fbi.clip_left_right = value,
+        71 => fbi.clip_bottom_top = value,
+        75 => fbi.fog_color = value,
+        76 => fbi.za_color = value,
+        77 => fbi.chroma_key = value,
+        80 => fbi.stipple = value,
+        81 => fbi.color0 = value,
+        82 => fbi.color1 = value,
+        88..=119 => {
+            // Two entries a word, each with its slope above it.
+            let at = (register as usize - 88) * 2;
+            let table = &mut board.fog_table;
+            [table.delta[at], table.value[at], table.delta[at + 1], table.value[at + 1]] =
+                value.to_le_bytes();
+        }
+        _ => {}
+    }
+    board.fbi.fbz_mode &= !(fbz::DRAW_BUFFER & (2 << 14));
+    true
+}
+
+/// Primitives. Always true.
+fn draw_call(board: &mut Board, call: &Call) -> bool {
+    match call {
+        Call::GrDrawPoint { point } => board.draw_point(point),
+        Call::GrDrawLine { a, b } => board.draw_line(a, b),
+        Call::GrDrawTriangle { a, b, c } => board.draw_triangle([a, b, c]),
+        Call::GrDrawPolygon { vertices } => board.draw_polygon(vertices),
+        Call::GrDrawPlanarPolygon { vertices } => board.draw_planar_polygon(vertices),
+        Call::GrAaDrawPoint { point } => board.draw_aa_point(point),
+        Call::GrAaDrawLine { a, b } => board.draw_aa_line(a, b),
+        Call::GrAaDrawTriangle { a, b, c, ab, bc, ca } => {
+            board.draw_aa_triangle([a, b, c], [*ab != 0, *bc != 0, *ca != 0]);
+        }
+        Call::GrAaDrawPolygon { vertices } => board.draw_aa_polygon(vertices),
+        Call::GuDrawTriangleWithClip { a, b, c } => board.draw_triangle_clipped([a, b, c]),
+        Call::GuAaDrawTriangleWithClip { a, b, c } => board.draw_aa_triangle_clipped([a, b, c]),
+        Call::GuDrawPolygonVertexListWithClip { vertices } => board.draw_polygon_clipped(vertices),
+        _ => {}
+    }
+    true
+}

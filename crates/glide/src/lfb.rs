@@ -1,0 +1,431 @@
+//! Linear frame buffer access.
+//!
+//! A lock hands out plain memory of 1024 pixels a row. A read lock fills it
+//! with the buffer; a write lock's changes are found and carried out when it
+//! ends, so what a program wrote is data of the unlock.
+//!
+//! Source: G246, `grLfbLock`; SST1, linear frame buffer formats.
+
+use fillrate_engine::state::{Dither, Rect};
+use fillrate_engine::target::{pack, unpack};
+use fillrate_engine::{PixelFormat, PixelRun, SurfaceId};
+
+use crate::board::Board;
+use crate::enums::*;
+use crate::pixel_state::swizzle;
+use crate::registers::{fbz, replace, switch};
+
+/// Pixels from one row to the next, whatever the resolution.
+pub const ROW_PIXELS: usize = 1024;
+
+/// One lock.
+#[derive(Clone, Debug)]
+pub(crate) struct Lock {
+    pub buffer: i32,
+    pub mode: i32,
+    pub origin: i32,
+    pub pipeline: bool,
+    /// Rows of 1024 pixels as 32-bit words, the first pixel low.
+    pub memory: Vec<u32>,
+    /// The memory as it was handed out.
+    shadow: Vec<u32>,
+    /// zaColor and fbzMode to restore.
+    saved: (u32, u32),
+}
+
+/// The locks of a board: at most one for reading and one for writing.
+#[derive(Debug, Default)]
+pub(crate) struct Lfb {
+    pub read: Option<Lock>,
+    pub write: Option<Lock>,
+    /// What the calls before 2.4 set: write mode, origin, bypass.
+    pub old: OldState,
+}
+
+/// Settings of the calls before 2.4.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct OldState {
+    pub mode: i32,
+    pub origin: i32,
+    pub pipeline: bool,
+}
+
+impl Default for OldState {
+    fn default() -> OldState {
+        OldState { mode: LFBWRITEMODE_565, origin: 0, pipeline: false }
+    }
+}
+
+/// What a lock tells the program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LfbInfo {
+    /// Bytes from one row to the next.
+    pub stride: u32,
+    /// The resolved write mode.
+    pub write_mode: i32,
+    /// As asked for.
+    pub origin: i32,
+}
+
+/// Bytes of a pixel in a write mode, or `None` for a reserved one.
+fn pixel_bytes(mode: i32) -> Option<usize> {
+    match mode {
+        0..=2 | 0xf => Some(2),
+        4 | 5 | 0xc..=0xe => Some(4),
+        _ => None,
+    }
+}
+
+/// A pixel in a write mode, taken apart.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Parts {
+    /// 0x00RRGGBB, where the mode has colour.
+    color: Option<u32>,
+    alpha: Option<u8>,
+    depth: Option<u16>,
+}
+
+/// Takes a pixel apart; `format` is the program's colour format.
+fn parts(mode: i32, format: i32, value: u32) -> Parts {
+    let five = |c: u32| (c & 31) << 3 | (c >> 2 & 7);
+    let low = value & 0xffff;
+    // RGBA and BGRA keep alpha in the low bits; red and blue change places in
+    // ABGR and BGRA.
+    let alpha_low = format >= 2;
+    let exchange = |rgb: u32| match format {
+        1 | 3 => rgb & 0xff00 | (rgb & 0xff) << 16 | rgb >> 16 & 0xff,
+        _ => rgb,
+    };
+    let rgb565 = unpack(PixelFormat::Rgb565, low) & 0xff_ffff;
+    let rgb555 = |v: u32| five(v >> 10) << 16 | five(v >> 5) << 8 | five(v);
+    let high = (value >> 16) as u16;
+    let color555 = exchange(rgb555(if alpha_low { low >> 1 } else { low }));
+    let alpha1 = if low & (if alpha_low { 1 } else { 0x8000 }) != 0 { 255 } else { 0 };
+    let color888 = swizzle(format, value);
+    match mode {
+        0 => Parts { color: Some(exchange(rgb565)), ..Parts::default() },
+        1 => Parts { color: Some(color555), ..Parts::default() },
+        2 => Parts { color: Some(color555), alpha: Some(alpha1), depth: None },
+        4 => Parts { color: Some(color888 & 0xff_ffff), ..Parts::default() },
+        5 => Parts {
+            color: Some(color888 & 0xff_ffff),
+            alpha: Some((color888 >> 24) as u8),
+            depth: None,
+        },
+        0xc => Parts { color: Some(exchange(rgb565)), alpha: None, depth: Some(high) },
+        0xd => Parts { color: Some(color555), alpha: None, depth: Some(high) },
+        0xe => Parts { color: Some(color555), alpha: Some(alpha1), depth: Some(high) },
+        _ => Parts { color: None, alpha: None, depth: Some(low as u16) },
+    }
+}
+
+impl Lock {
+    fn is_wide(&self) -> bool {
+        pixel_bytes(self.mode) == Some(4)
+    }
+
+    /// The pixel at a column and row of the memory.
+    fn get(memory: &[u32], wide: bool, x: usize, y: usize) -> u32 {
+        let at = y * ROW_PIXELS + x;
+        if wide { memory[at] } else { memory[at / 2] >> (16 * (at & 1)) & 0xffff }
+    }
+
+    /// Whether the memory was changed.
+    pub fn is_changed(&self) -> bool {
+        self.memory != self.shadow
+    }
+}
+
+impl Board {
+    fn surface_of(&self, buffer: i32) -> Option<SurfaceId> {
+        match buffer {
+            BUFFER_FRONT | BUFFER_BACK => self.color_surface(buffer as u32),
+            // 3 and 4 name the aux buffer by its use.
+            2..=4 => self.buffers.as_ref()?.aux,
+            _ => None,
+        }
+    }
+
+    /// Starts a lock; `None` where it is refused.
+    pub(crate) fn lock(
+        &mut self,
+        kind: i32,
+        buffer: i32,
+        mode: i32,
+        origin: i32,
+        pipeline: bool,
+    ) -> Option<LfbInfo> {
+        let writes = match kind & 0xf {
+            LFB_READ_ONLY => false,
+            LFB_WRITE_ONLY => true,
+            _ => return None,
+        };
+        let taken = if writes { &self.lfb.write } else { &self.lfb.read };
+        let surface = self.surface_of(buffer)?;
+        if taken.is_some() {
+            return None;
+        }
+        let aux = buffer >= BUFFER_AUX;
+        let native = if aux { LFBWRITEMODE_ZA16 } else { LFBWRITEMODE_565 };
+        let mode = if !writes || mode == LFBWRITEMODE_ANY { native } else { mode };
+        let bytes = pixel_bytes(mode)?;
+        if (mode == LFBWRITEMODE_ZA16) != aux {
+            return None;
+        }
+        let memory = self.lock_memory(surface, origin, bytes, mode == native)?;
+        let shadow = if writes { memory.clone() } else { Vec::new() };
+        let saved = (self.fbi.za_color, self.fbi.fbz_mode);
+        let lock = Lock { buffer, mode, origin, pipeline, memory, shadow, saved };
+        if writes {
+            self.fbi.za_color =
+                u32::from(self.settings.lfb_depth) | u32::from(self.settings.lfb_alpha) << 24;
+            self.fbi.fbz_mode &= !fbz::DEPTH_BIAS;
+            self.dirty = true;
+            self.lfb.write = Some(lock);
+        } else {
+            self.lfb.read = Some(lock);
+        }
+        Some(LfbInfo { stride: (ROW_PIXELS * bytes) as u32, write_mode: mode, origin })
+    }
+
+    /// Memory of a lock: the buffer where its elements are the mode's pixels,
+    /// else zeros.
+    fn lock_memory(
+        &mut self,
+        surface: SurfaceId,
+        origin: i32,
+        bytes: usize,
+        native: bool,
+    ) -> Option<Vec<u32>> {
+        let buffers = self.buffers.as_ref()?;
+        let (width, height) = (buffers.width as usize, buffers.height as usize);
+        let mut memory = vec![0; ROW_PIXELS * height * bytes / 4];
+        if native {
+            let mut row = vec![0u16; width];
+            for y in 0..height {
+                let screen = screen_row(origin, y, height) as u32;
+                let rect = Rect::new(0, screen, width as u32, screen + 1);
+                self.device.read16(surface, rect, &mut row, width).ok()?;
+                for (x, &pixel) in row.iter().enumerate() {
+                    let at = y * ROW_PIXELS + x;
+                    memory[at / 2] |= u32::from(pixel) << (16 * (at & 1));
+                }
+            }
+        }
+        Some(memory)
+    }
+
+    /// The memory of a lock.
+    pub(crate) fn lock_words(&mut self, kind: i32) -> Option<&mut Vec<u32>> {
+        let lock =
+            if kind & 0xf == LFB_WRITE_ONLY { &mut self.lfb.write } else { &mut self.lfb.read };
+        lock.as_mut().map(|lock| &mut lock.memory)
+    }
+
+    /// Ends a lock and carries out what was written. False where there is none
+    /// of that kind on that buffer.
+    pub(crate) fn unlock(&mut self, kind: i32, buffer: i32) -> bool {
+        match kind & 0xf {
+            LFB_READ_ONLY => self.lfb.read.take_if(|lock| lock.buffer == buffer).is_some(),
+            LFB_WRITE_ONLY => {
+                let Some(lock) = self.lfb.write.take_if(|lock| lock.buffer == buffer) else {
+                    return false;
+                };
+                if lock.is_changed() {
+                    self.commit(&lock);
+                }
+                let mask = fbz::DEPTH_BIAS;
+                self.fbi.za_color = lock.saved.0;
+                self.fbi.fbz_mode = replace(self.fbi.fbz_mode, mask, lock.saved.1);
+                self.dirty = true;
+                true
+            }
+            _ => false,
+        }
+    }
+
+    /// Carries out the changes of a write lock, row by row.
+    fn commit(&mut self, lock: &Lock) {
+        let Some(buffers) = &self.buffers else { return };
+        let (width, height) = (buffers.width as usize, buffers.height as usize);
+        let wide = lock.is_wide();
+        for y in 0..height {
+            let mut x = 0;
+            while x < width {
+                let changed = |x: usize| {
+                    Lock::get(&lock.memory, wide, x, y) != Lock::get(&lock.shadow, wide, x, y)
+                };
+                let end = (x..width).find(|&x| !changed(x)).unwrap_or(width);
+                if end > x {
+                    self.write_run(lock, x..end, y, height);
+                }
+                x = end + 1;
+            }
+        }
+    }
+
+    fn write_run(
+        &mut self,
+        lock: &Lock,
+        columns: core::ops::Range<usize>,
+        y: usize,
+        height: usize,
+    ) {
+        let values: Vec<u32> =
+            columns.clone().map(|x| Lock::get(&lock.memory, lock.is_wide(), x, y)).collect();
+        if lock.pipeline {
+            self.write_through_pipeline(lock, columns.start, y, &values);
+        } else {
+            let row = screen_row(lock.origin, y, height);
+            self.write_raw(lock.buffer, lock.mode, (columns.start as u32, row as u32), &values);
+        }
+    }
+
+    /// Pixels through the pixel pipeline: they replace the combine units'
+    /// output.
+    fn write_through_pipeline(&mut self, lock: &Lock, x: usize, y: usize, values: &[u32]) {
+        let kept = self.fbi.fbz_mode;
+        let lower_left = lock.origin != 0;
+        self.fbi.fbz_mode = switch(self.fbi.fbz_mode, fbz::LOWER_LEFT, lower_left);
+        if lock.buffer < BUFFER_AUX {
+            let buffer = (lock.buffer as u32) << 14;
+            self.fbi.fbz_mode = replace(self.fbi.fbz_mode, fbz::DRAW_BUFFER, buffer);
+        }
+        self.dirty = true;
+        self.update();
+        let (alpha, depth) = ((self.fbi.za_color >> 24) as u8, self.fbi.za_color as u16);
+        let format = self.settings.color_format;
+        let all = values.iter().map(|&value| parts(lock.mode, format, value));
+        let colors: Vec<u32> = all
+            .clone()
+            .map(|p| {
+                let rgb = p.color.unwrap_or(self.fbi.color1 & 0xff_ffff);
+                u32::from(p.alpha.unwrap_or(alpha)) << 24 | rgb
+            })
+            .collect();
+        let depths: Vec<u16> = all.map(|p| p.depth.unwrap_or(depth)).collect();
+        let (x, y) = (x as u32, y as u32);
+        self.device.draw_pixels(&PixelRun { x, y, colors: &colors, depths: &depths });
+        self.fbi.fbz_mode = kept;
+        self.dirty = true;
+    }
+
+    /// Pixels past the pipeline: only reduced to the buffer's bits, with the
+    /// current dithering. Alpha goes to the aux buffer where that holds alpha,
+    /// depth where it does not.
+    pub(crate) fn write_raw(&mut self, buffer: i32, mode: i32, at: (u32, u32), values: &[u32]) {
+        let (x, y) = at;
+        let on = |bit: u32| self.fbi.fbz_mode & bit != 0;
+        let dither = match (on(fbz::DITHER), on(fbz::DITHER_2X2)) {
+            (false, _) => Dither::Off,
+            (true, true) => Dither::Ordered2x2,
+            (true, false) => Dither::Ordered4x4,
+        };
+        let alpha_planes = on(fbz::ALPHA_PLANES);
+        let format = self.settings.color_format;
+        let (mut colors, mut aux) = (Vec::new(), Vec::new());
+        for (x, &value) in (x..).zip(values) {
+            let p = parts(mode, format, value);
+            if let Some(rgb) = p.color {
+                colors.push(pack(PixelFormat::Rgb565, rgb, dither, x, y) as u16);
+            }
+            match (alpha_planes, p.alpha, p.depth) {
+                (true, Some(alpha), _) => aux.push(u16::from(alpha)),
+                (false, _, Some(depth)) => aux.push(depth),
+                // ZA16 writes the aux buffer whatever it holds.
+                (true, None, Some(value)) if p.color.is_none() => aux.push(value),
+                _ => {}
+            }
+        }
+        self.store(self.surface_of(buffer.min(BUFFER_BACK)), x, y, &colors);
+        self.store(self.surface_of(BUFFER_AUX), x, y, &aux);
+    }
+
+    fn store(&mut self, surface: Option<SurfaceId>, x: u32, y: u32, elements: &[u16]) {
+        let Some(surface) = surface.filter(|_| !elements.is_empty()) else { return };
+        let rect = Rect::new(x, y, x + elements.len() as u32, y + 1);
+        // The surface is one of ours, of 16 bits.
+        let _ = self.device.write16(surface, rect, elements, elements.len());
+    }
+
+    /// Copies a rectangle of pixels of a source format to a buffer. Rows count
+    /// from the top; `stride` is in bytes.
+    pub(crate) fn write_region(
+        &mut self,
+        buffer: i32,
+        (x, y): (u32, u32),
+        format: i32,
+        (width, height): (u32, u32),
+        stride: usize,
+        data: &[u8],
+    ) -> bool {
+        let Some(bytes) = pixel_bytes(format) else { return false };
+        let aux = buffer >= BUFFER_AUX;
+        if self.surface_of(buffer).is_none() || (format == LFBWRITEMODE_ZA16) != aux {
+            return false;
+        }
+        let Some(buffers) = &self.buffers else { return false };
+        let (columns, rows) = (buffers.width, buffers.height);
+        if x >= columns || y >= rows {
+            return true;
+        }
+        let width = width.min(columns - x) as usize;
+        let height = height.min(rows - y) as usize;
+        for row in 0..height {
+            let Some(line) = data.get(row * stride..) else { return true };
+            let values: Vec<u32> = line
+                .chunks_exact(bytes)
+                .take(width)
+                .map(|pixel| {
+                    pixel.iter().rev().fold(0, |value, &byte| value << 8 | u32::from(byte))
+                })
+                .collect();
+            self.write_raw(buffer, format, (x, y + row as u32), &values);
+        }
+        true
+    }
+
+    /// Reads a rectangle as 16-bit elements, rows from the top, without gaps.
+    /// Pixels outside the buffer read as 0.
+    pub(crate) fn read_region(
+        &mut self,
+        buffer: i32,
+        (x, y): (u32, u32),
+        (width, height): (u32, u32),
+    ) -> Option<Vec<u16>> {
+        let surface = self.surface_of(buffer)?;
+        let (width, height) = (width.min(ROW_PIXELS as u32), height.min(ROW_PIXELS as u32));
+        let mut pixels = vec![0; (width * height) as usize];
+        let rect = Rect::new(x, y, x.saturating_add(width), y.saturating_add(height));
+        self.device.read16(surface, rect, &mut pixels, width as usize).ok()?;
+        Some(pixels)
+    }
+}
+
+/// The screen row of a lock's row. Any origin but the upper left counts as
+/// lower left.
+fn screen_row(origin: i32, y: usize, height: usize) -> usize {
+    match origin {
+        0 => y,
+        _ => height - 1 - y,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pixels_are_taken_apart_by_format() {
+        let color = |mode, format, value| parts(mode, format, value).color;
+        assert_eq!(color(0, 0, 0xf800), Some(0xff_0000));
+        assert_eq!(color(0, 1, 0xf800), Some(0x00_00ff));
+        assert_eq!(color(1, 0, 0x7c00), Some(0xff_0000));
+        assert_eq!(color(1, 2, 0xf800), Some(0xff_0000));
+        assert_eq!(color(4, 2, 0x1122_3344), Some(0x11_2233));
+        assert_eq!(parts(5, 0, 0x8011_2233).alpha, Some(0x80));
+        assert_eq!(parts(0xc, 0, 0x1234_f800).depth, Some(0x1234));
+        assert_eq!(parts(2, 0, 0x8000).alpha, Some(255));
+        assert_eq!(parts(0xf, 0, 0xbeef), Parts { color: None, alpha: None, depth: Some(0xbeef) });
+    }
+}
