@@ -54,7 +54,11 @@ pub trait Simd: Copy + Send + Sync + 'static {
     /// Entry `index & 15` of `table`, lane by lane.
     fn lookup16(self, table: &[i32; 16], index: Self::I) -> Self::I;
     /// The low and the high halves of `table[min(index, last)]`, lane by lane,
-    /// the index taken as unsigned. `table` must not be empty.
+    /// the index taken as unsigned.
+    ///
+    /// # Panics
+    ///
+    /// When `table` is empty.
     fn load_pairs(self, table: &[u64], index: Self::I) -> (Self::I, Self::I);
 }
 

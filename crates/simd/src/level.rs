@@ -11,13 +11,13 @@ use crate::{Kernel, Scalar, Simd};
 pub enum Level {
     /// No vector instructions asked for; everywhere.
     Scalar,
-    /// x86-64 with SSE4.1, four lanes.
+    /// x86-64 with SSE4.1 and POPCNT, four lanes.
     Sse41,
-    /// x86-64 with AVX2, eight lanes.
+    /// x86-64 with AVX2 and POPCNT, eight lanes.
     Avx2,
     /// x86-64 with AVX-512 F, BW, DQ and VL, sixteen lanes.
     Avx512,
-    /// AArch64, four lanes.
+    /// AArch64 (little-endian), four lanes.
     Neon,
     /// WebAssembly with simd128, four lanes; fixed when compiled.
     Simd128,
@@ -63,7 +63,7 @@ impl Level {
             Level::Avx2 => crate::x86::Avx2::detect().is_some(),
             #[cfg(target_arch = "x86_64")]
             Level::Avx512 => crate::x86::Avx512::detect().is_some(),
-            #[cfg(target_arch = "aarch64")]
+            #[cfg(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little"))]
             Level::Neon => true,
             #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
             Level::Simd128 => true,
@@ -101,7 +101,7 @@ impl Level {
                 Some(token) => token.vectorize(kernel),
                 None => Scalar.vectorize(kernel),
             },
-            #[cfg(target_arch = "aarch64")]
+            #[cfg(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little"))]
             Level::Neon => crate::neon::Neon::new().vectorize(kernel),
             #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
             Level::Simd128 => crate::wasm::Simd128::new().vectorize(kernel),

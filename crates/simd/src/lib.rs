@@ -20,7 +20,7 @@ mod scalar;
 #[cfg(test)]
 mod tests;
 
-#[cfg(target_arch = "aarch64")]
+#[cfg(all(target_arch = "aarch64", target_feature = "neon", target_endian = "little"))]
 mod neon;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 mod wasm;
@@ -34,3 +34,15 @@ pub use scalar::Scalar;
 /// The widest vector of any level, in 32-bit lanes. Every level's lane count
 /// divides it, and buffers are padded to it.
 pub const MAX_LANES: usize = 16;
+
+/// The index of the last entry of a table that `load_pairs` reads, or the
+/// greatest index there is. The unchecked loads rely on it.
+///
+/// # Panics
+///
+/// When `table` is empty.
+#[inline(always)]
+fn last_index(table: &[u64]) -> u32 {
+    assert!(!table.is_empty(), "a table of pairs has at least one entry");
+    u32::try_from(table.len() - 1).unwrap_or(u32::MAX)
+}

@@ -107,8 +107,8 @@ impl Simd for Scalar {
     }
     #[inline(always)]
     fn load_pairs(self, table: &[u64], index: I4) -> (I4, I4) {
-        let last = table.len() - 1;
-        let pair = |i: usize| table[(index.0[i] as u32 as usize).min(last)];
+        let last = crate::last_index(table);
+        let pair = |i: usize| table[(index.0[i] as u32).min(last) as usize];
         (lanes(|i| pair(i) as i32), lanes(|i| (pair(i) >> 32) as i32))
     }
 }

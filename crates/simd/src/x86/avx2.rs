@@ -2,7 +2,7 @@
 
 use core::arch::x86_64::*;
 
-use super::{binary, float_operator, operator, shifts};
+use super::{binary, float_operator, four, operator, shifts};
 use crate::{FloatLanes, IntLanes, Kernel, Level, MaskLanes, Simd};
 
 /// The token of the AVX2 level.
@@ -143,17 +143,16 @@ impl Simd for Avx2 {
     }
     #[inline(always)]
     fn load_pairs(self, table: &[u64], index: I) -> (I, I) {
-        let last = table.len() - 1;
+        let last = crate::last_index(table);
         let mut at = [0; 8];
         // SAFETY: the token proves AVX2. Each index is at most `last`, so the
         // entries read lie inside `table`.
         unsafe {
-            let last = _mm256_set1_epi32(last.min(0xffff_ffff) as i32);
-            self.store(I(_mm256_min_epu32(index.0, last)), &mut at);
-            let entry = |i: usize| *table.get_unchecked(at[i] as u32 as usize) as i64;
+            let index = I(_mm256_min_epu32(index.0, _mm256_set1_epi32(last as i32)));
+            self.store(index, &mut at);
             let (low, high) = split_words(
-                _mm256_set_epi64x(entry(3), entry(2), entry(1), entry(0)),
-                _mm256_set_epi64x(entry(7), entry(6), entry(5), entry(4)),
+                four(table, [at[0], at[1], at[2], at[3]]),
+                four(table, [at[4], at[5], at[6], at[7]]),
             );
             (I(low), I(high))
         }

@@ -3,7 +3,7 @@
 use core::arch::x86_64::*;
 use core::ops::{BitAnd, BitOr};
 
-use super::{binary, float_operator, operator, shifts};
+use super::{binary, float_operator, four, operator, shifts};
 use crate::{FloatLanes, IntLanes, Kernel, Level, MaskLanes, Simd};
 
 /// The token of the AVX-512 level.
@@ -130,19 +130,22 @@ impl Simd for Avx512 {
     }
     #[inline(always)]
     fn load_pairs(self, table: &[u64], index: I) -> (I, I) {
-        let last = table.len() - 1;
+        let last = crate::last_index(table);
         let mut at = [0; 16];
         // SAFETY: the token proves AVX-512. Each index is at most `last`, so
         // the entries read lie inside `table`.
         unsafe {
-            let last = _mm512_set1_epi32(last.min(0xffff_ffff) as i32);
-            self.store(I(_mm512_min_epu32(index.0, last)), &mut at);
-            let four = |i: usize| {
-                let entry = |i: usize| *table.get_unchecked(at[i] as u32 as usize) as i64;
-                _mm256_set_epi64x(entry(i + 3), entry(i + 2), entry(i + 1), entry(i))
-            };
-            let eight = |i| _mm512_inserti64x4::<1>(_mm512_castsi256_si512(four(i)), four(i + 4));
-            let (low, high) = split_words(eight(0), eight(8));
+            let index = I(_mm512_min_epu32(index.0, _mm512_set1_epi32(last as i32)));
+            self.store(index, &mut at);
+            let front = _mm512_inserti64x4::<1>(
+                _mm512_castsi256_si512(four(table, [at[0], at[1], at[2], at[3]])),
+                four(table, [at[4], at[5], at[6], at[7]]),
+            );
+            let back = _mm512_inserti64x4::<1>(
+                _mm512_castsi256_si512(four(table, [at[8], at[9], at[10], at[11]])),
+                four(table, [at[12], at[13], at[14], at[15]]),
+            );
+            let (low, high) = split_words(front, back);
             (I(low), I(high))
         }
     }

@@ -4,6 +4,8 @@
 //! proves: a token is only made by `detect`, and lanes only by a token.
 //! Loads and stores check their slices first.
 
+use core::arch::x86_64::{__m256i, _mm256_set_epi64x};
+
 mod avx2;
 mod avx512;
 mod sse41;
@@ -11,6 +13,36 @@ mod sse41;
 pub use avx2::Avx2;
 pub use avx512::Avx512;
 pub use sse41::Sse41;
+
+/// Entry `at` of `table`, unchecked. A function rather than a closure, because
+/// only a function can be sure to be inlined into the kernel.
+///
+/// # Safety
+///
+/// `at`, as unsigned, is an index into `table`.
+#[inline(always)]
+unsafe fn entry(table: &[u64], at: i32) -> i64 {
+    // SAFETY: the caller's promise.
+    unsafe { *table.get_unchecked(at as u32 as usize) as i64 }
+}
+
+/// Four entries of `table`, unchecked, in order.
+///
+/// # Safety
+///
+/// The machine has AVX2; each of `at`, as unsigned, is an index into `table`.
+#[inline(always)]
+unsafe fn four(table: &[u64], at: [i32; 4]) -> __m256i {
+    // SAFETY: the caller's promise.
+    unsafe {
+        _mm256_set_epi64x(
+            entry(table, at[3]),
+            entry(table, at[2]),
+            entry(table, at[1]),
+            entry(table, at[0]),
+        )
+    }
+}
 
 /// Implements an operator trait by an intrinsic on the wrapped register.
 macro_rules! operator {

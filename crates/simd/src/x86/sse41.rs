@@ -2,7 +2,7 @@
 
 use core::arch::x86_64::*;
 
-use super::{binary, float_operator, operator, shifts};
+use super::{binary, entry, float_operator, operator, shifts};
 use crate::{FloatLanes, IntLanes, Kernel, Level, MaskLanes, Simd};
 
 /// The token of the SSE4.1 level.
@@ -20,10 +20,14 @@ pub struct F(__m128d, __m128d);
 pub struct M(__m128i);
 
 impl Sse41 {
-    /// The token, where the machine has SSE4.1.
+    /// The token, where the machine has all of the features used. The first
+    /// processors with SSE4.1 lack POPCNT.
     #[inline]
     pub fn detect() -> Option<Self> {
-        is_x86_feature_detected!("sse4.1").then_some(Self(()))
+        (is_x86_feature_detected!("sse4.1")
+            && is_x86_feature_detected!("ssse3")
+            && is_x86_feature_detected!("popcnt"))
+        .then_some(Self(()))
     }
 }
 
@@ -53,7 +57,7 @@ impl Simd for Sse41 {
         fn inner<K: Kernel>(simd: Sse41, kernel: K) -> K::Output {
             kernel.run(simd)
         }
-        // SAFETY: the token proves SSE4.1; every such processor has the others.
+        // SAFETY: the token proves every feature.
         unsafe { inner(self, kernel) }
     }
     #[inline(always)]
@@ -137,16 +141,17 @@ impl Simd for Sse41 {
     }
     #[inline(always)]
     fn load_pairs(self, table: &[u64], index: I) -> (I, I) {
-        let last = table.len() - 1;
+        let last = crate::last_index(table);
         let mut at = [0; 4];
         // SAFETY: the token proves SSE4.1. Each index is at most `last`, so the
         // entries read lie inside `table`.
         unsafe {
-            let index = I(_mm_min_epu32(index.0, _mm_set1_epi32(last.min(0xffff_ffff) as i32)));
+            let index = I(_mm_min_epu32(index.0, _mm_set1_epi32(last as i32)));
             self.store(index, &mut at);
-            let entry = |i: usize| *table.get_unchecked(at[i] as u32 as usize) as i64;
-            let (low, high) =
-                split_words(_mm_set_epi64x(entry(1), entry(0)), _mm_set_epi64x(entry(3), entry(2)));
+            let (low, high) = split_words(
+                _mm_set_epi64x(entry(table, at[1]), entry(table, at[0])),
+                _mm_set_epi64x(entry(table, at[3]), entry(table, at[2])),
+            );
             (I(low), I(high))
         }
     }
@@ -178,17 +183,20 @@ impl IntLanes for I {
     }
     #[inline(always)]
     fn sar_each(self, count: I) -> I {
-        let (mut value, mut by) = ([0; 4], [0; 4]);
-        // SAFETY: both arrays hold 16 bytes.
+        // SAFETY: lanes exist only where SSE4.1 was detected. A shift takes
+        // its count from the low 64 bits of a register: lane by lane, each
+        // count is brought there, and the lane is picked from that shift.
         unsafe {
-            _mm_storeu_si128(value.as_mut_ptr().cast(), self.0);
-            _mm_storeu_si128(by.as_mut_ptr().cast(), count.0);
+            let upper = _mm_unpackhi_epi64(count.0, count.0);
+            let lane0 = _mm_sra_epi32(self.0, _mm_cvtepu32_epi64(count.0));
+            let lane1 = _mm_sra_epi32(self.0, _mm_srli_epi64::<32>(count.0));
+            let lane2 = _mm_sra_epi32(self.0, _mm_cvtepu32_epi64(upper));
+            let lane3 = _mm_sra_epi32(self.0, _mm_srli_epi64::<32>(upper));
+            I(_mm_blend_epi16::<0xf0>(
+                _mm_blend_epi16::<0x0c>(lane0, lane1),
+                _mm_blend_epi16::<0xc0>(lane2, lane3),
+            ))
         }
-        for (value, by) in value.iter_mut().zip(by) {
-            *value >>= by & 31;
-        }
-        // SAFETY: the array holds 16 bytes.
-        I(unsafe { _mm_loadu_si128(value.as_ptr().cast::<__m128i>()) })
     }
     #[inline(always)]
     fn eq(self, other: I) -> M {
