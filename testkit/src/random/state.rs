@@ -1,0 +1,238 @@
+//! Random draw states: every value of every field.
+
+use fillrate_engine::state::{
+    Addend, AlphaCombine, AlphaLocal, AlphaTest, AuxWrite, Blend, BlendFactor, ColorCombine,
+    ColorLocal, CombineUnit, Compare, DepthSource, DepthState, Dither, DrawState, Factor, Filter,
+    Fog, FogAmount, FogTable, LodRange, Origin, Other, Rect, Stipple, TextureCombine,
+    TextureFactor, TextureUnit,
+};
+
+use super::Rng;
+use super::texture::KEY_COLORS;
+
+/// A draw state for a surface of `width` x `height`.
+pub fn draw_state(rng: &mut Rng, width: u32, height: u32) -> DrawState {
+    DrawState {
+        origin: rng.pick(&[Origin::UpperLeft, Origin::LowerLeft]),
+        clip: rng.maybe(3, |rng| clip(rng, width, height)),
+        stipple: rng.maybe(5, |rng| Stipple { pattern: rng.word() | rng.word() }),
+        depth: depth(rng),
+        aux_write: rng.pick(&[
+            AuxWrite::Nothing,
+            AuxWrite::Depth,
+            AuxWrite::Depth,
+            AuxWrite::Alpha,
+        ]),
+        units: units(rng),
+        chroma_key: rng.maybe(5, |rng| rng.pick(&KEY_COLORS) | rng.word() & 0xff00_0000),
+        color_combine: color_combine(rng),
+        alpha_combine: alpha_combine(rng),
+        color0: constant(rng),
+        color1: constant(rng),
+        alpha_test: rng.maybe(4, alpha_test),
+        fog: rng.maybe(3, fog),
+        fog_table: fog_table(rng),
+        blend: rng.maybe(2, blend),
+        dither: rng.pick(&[Dither::Off, Dither::Ordered2x2, Dither::Ordered4x4]),
+        color_write: !rng.one_in(10),
+    }
+}
+
+/// Windows inside, around, empty, and beyond the surface.
+fn clip(rng: &mut Rng, width: u32, height: u32) -> Rect {
+    if rng.one_in(12) {
+        return Rect::new(rng.word(), rng.word(), rng.word(), rng.word());
+    }
+    let (x0, y0) = (rng.below(width), rng.below(height));
+    let (x1, y1) = (rng.below(width + 40), rng.below(height + 40));
+    match rng.below(8) {
+        0 => Rect::new(x0, y0, x1, y1),
+        1 => Rect::new(0, 0, u32::MAX, u32::MAX),
+        _ => Rect::new(x0 / 2, y0 / 2, x1.max(x0 + 1), y1.max(y0 + 1)),
+    }
+}
+
+fn compare(rng: &mut Rng) -> Compare {
+    rng.pick(&Compare::ALL)
+}
+
+fn depth(rng: &mut Rng) -> DepthState {
+    DepthState {
+        source: rng.pick(&[DepthSource::Z, DepthSource::FloatW]),
+        test: rng.maybe(2, compare),
+        bias: rng.maybe(4, |rng| match rng.coin() {
+            true => rng.word() as i16,
+            false => rng.range(-600, 600) as i16,
+        }),
+        compare_constant: rng.maybe(8, |rng| rng.word() as u16),
+    }
+}
+
+/// An ARGB constant that often equals a key.
+fn constant(rng: &mut Rng) -> u32 {
+    match rng.coin() {
+        true => rng.word(),
+        false => rng.pick(&KEY_COLORS) | rng.word() & 0xff00_0000,
+    }
+}
+
+fn combine_unit<F: Copy>(rng: &mut Rng, factors: &[F]) -> CombineUnit<F> {
+    CombineUnit {
+        zero_other: rng.one_in(4),
+        subtract_local: rng.one_in(3),
+        factor: rng.pick(factors),
+        one_minus: rng.coin(),
+        add: rng.pick(&[Addend::Zero, Addend::Local, Addend::LocalAlpha]),
+        invert: rng.one_in(6),
+    }
+}
+
+const FACTORS: [Factor; 6] = [
+    Factor::Zero,
+    Factor::Local,
+    Factor::OtherAlpha,
+    Factor::LocalAlpha,
+    Factor::TextureAlpha,
+    Factor::TextureColor,
+];
+const OTHERS: [Other; 3] = [Other::Iterated, Other::Texture, Other::Constant];
+
+fn color_combine(rng: &mut Rng) -> ColorCombine {
+    let locals = [ColorLocal::Iterated, ColorLocal::Constant, ColorLocal::ByTextureAlpha];
+    ColorCombine {
+        other: rng.pick(&OTHERS),
+        local: rng.pick(&locals),
+        unit: combine_unit(rng, &FACTORS),
+    }
+}
+
+fn alpha_combine(rng: &mut Rng) -> AlphaCombine {
+    let locals = [AlphaLocal::Iterated, AlphaLocal::Constant, AlphaLocal::Depth];
+    AlphaCombine {
+        other: rng.pick(&OTHERS),
+        local: rng.pick(&locals),
+        unit: combine_unit(rng, &FACTORS),
+    }
+}
+
+fn alpha_test(rng: &mut Rng) -> AlphaTest {
+    let reference = if rng.coin() { rng.word() as u8 } else { rng.pick(&[0, 1, 127, 128, 255]) };
+    AlphaTest { compare: compare(rng), reference }
+}
+
+fn fog(rng: &mut Rng) -> Fog {
+    Fog {
+        amount: rng.pick(&[
+            FogAmount::Table,
+            FogAmount::Table,
+            FogAmount::IteratedAlpha,
+            FogAmount::IteratedZ,
+            FogAmount::Constant,
+        ]),
+        color: constant(rng),
+        drop_fog_color: rng.one_in(4),
+        drop_fragment_color: rng.one_in(4),
+    }
+}
+
+/// A rising table with the slopes of its steps, or noise.
+fn fog_table(rng: &mut Rng) -> FogTable {
+    let mut table = FogTable::default();
+    if rng.one_in(4) {
+        table.value = [(); 64].map(|()| rng.word() as u8);
+        table.delta = [(); 64].map(|()| rng.word() as u8);
+        return table;
+    }
+    let step = rng.below(8);
+    for entry in 0..64u32 {
+        table.value[entry as usize] = (entry * step).min(255) as u8;
+        table.delta[entry as usize] = (step * 4) as u8;
+    }
+    table
+}
+
+fn blend(rng: &mut Rng) -> Blend {
+    use BlendFactor as F;
+    let common = [
+        F::Zero,
+        F::SourceAlpha,
+        F::OtherColor,
+        F::DestinationAlpha,
+        F::One,
+        F::OneMinusSourceAlpha,
+        F::OneMinusOtherColor,
+        F::OneMinusDestinationAlpha,
+    ];
+    Blend {
+        source: if rng.one_in(9) { F::AlphaSaturate } else { rng.pick(&common) },
+        destination: if rng.one_in(9) { F::PrefogColor } else { rng.pick(&common) },
+        source_alpha: rng.coin(),
+        destination_alpha: rng.coin(),
+        alpha_plane: rng.one_in(3),
+        subtract_dither: rng.coin(),
+    }
+}
+
+/// A chain of none to three units.
+fn units(rng: &mut Rng) -> [Option<TextureUnit>; 3] {
+    let count = rng.pick(&[0, 1, 1, 1, 2, 2, 3]);
+    [0, 1, 2].map(|index| if index < count { Some(unit(rng)) } else { None })
+}
+
+fn unit(rng: &mut Rng) -> TextureUnit {
+    let filters = [Filter::Point, Filter::Bilinear];
+    let factors = [
+        TextureFactor::Zero,
+        TextureFactor::Local,
+        TextureFactor::OtherAlpha,
+        TextureFactor::LocalAlpha,
+        TextureFactor::Detail,
+        TextureFactor::LodFraction,
+    ];
+    let combine = match rng.one_in(3) {
+        true => replace(),
+        false => TextureCombine {
+            color: combine_unit(rng, &factors),
+            alpha: combine_unit(rng, &factors),
+        },
+    };
+    TextureUnit {
+        perspective: !rng.one_in(4),
+        clamp_negative_w: rng.coin(),
+        minify: rng.pick(&filters),
+        magnify: rng.pick(&filters),
+        clamp_s: rng.coin(),
+        clamp_t: rng.coin(),
+        lod: lod(rng),
+        lod_dither: rng.one_in(4),
+        odd_levels: rng.maybe(5, Rng::coin),
+        trilinear: rng.one_in(3),
+        detail_max: rng.word() as u8,
+        detail_bias: rng.range(-32, 31) as i8,
+        detail_scale: rng.below(8) as u8,
+        combine,
+    }
+}
+
+/// The texel alone.
+fn replace() -> TextureCombine {
+    let color = CombineUnit { zero_other: true, add: Addend::Local, ..CombineUnit::default() };
+    TextureCombine { color, alpha: color }
+}
+
+fn lod(rng: &mut Rng) -> LodRange {
+    let quarters = |rng: &mut Rng, most: u32| (rng.below(most + 1) << 6) as u16;
+    match rng.below(8) {
+        0 => LodRange { min: quarters(rng, 32), max: quarters(rng, 63), bias: 0 },
+        1 => LodRange { min: rng.word() as u16, max: rng.word() as u16, bias: rng.word() as i16 },
+        2 => {
+            let same = quarters(rng, 32);
+            LodRange { min: same, max: same, bias: 0 }
+        }
+        _ => LodRange {
+            min: if rng.coin() { 0 } else { quarters(rng, 12) },
+            max: if rng.coin() { 0x800 } else { quarters(rng, 32) },
+            bias: (rng.range(-32, 31) << 6) as i16,
+        },
+    }
+}

@@ -1,0 +1,184 @@
+//! The texture chain: coordinates, addressing, filtering, texture combine.
+//!
+//! Source: SST1, texture units and textureMode register.
+
+use fillrate_engine::state::{
+    CombineUnit, DrawState, Filter, TextureFactor, TextureUnit,
+};
+use fillrate_engine::{Registers, Texture};
+
+use super::combine::{Inputs, channel};
+use super::dither::channels;
+use super::iterate::wide;
+use super::lod::{self, Lod};
+use super::pixel::Position;
+use super::Textures;
+
+/// 1/w of a unit without perspective: 1.
+const UNIT_W: i64 = 1 << 32;
+
+/// The chain's output; 0 where no unit is in use. Units run from the last one
+/// down to unit 0, whose output it is.
+pub fn chain(
+    state: &DrawState,
+    textures: &Textures,
+    centred: &Registers,
+    at: Position,
+) -> [i32; 4] {
+    let mut other = [0; 4];
+    for index in (0..state.units.len()).rev() {
+        if let Some(unit) = &state.units[index] {
+            let texture = textures[index].as_deref();
+            other = unit_output(unit, texture, other, centred, index, at);
+        }
+    }
+    other
+}
+
+fn unit_output(
+    unit: &TextureUnit,
+    texture: Option<&Texture>,
+    other: [i32; 4],
+    centred: &Registers,
+    index: usize,
+    at: Position,
+) -> [i32; 4] {
+    let [s, t, w] = centred.tmu[index].map(|param| wide(centred, &param, at.x, at.y));
+    let w = if unit.perspective { w } else { UNIT_W };
+    let lod = lod::at(unit, centred, index, w, at);
+    let (s, t) = (coordinate(unit, s, w), coordinate(unit, t, w));
+    let local = texture.map_or([0; 4], |texture| sample(unit, texture, lod, s, t));
+    combine(unit, local, other, lod)
+}
+
+/// floor(256 * value / w) in 32 bits: 8 fraction bits of a texel of level 0.
+fn coordinate(unit: &TextureUnit, value: i64, w: i64) -> i32 {
+    if w == 0 || (w < 0 && unit.clamp_negative_w) {
+        return 0;
+    }
+    let quotient = floor_div(256 * i128::from(value), i128::from(w));
+    quotient.clamp(i32::MIN.into(), i32::MAX.into()) as i32
+}
+
+fn floor_div(a: i128, b: i128) -> i128 {
+    let (quotient, remainder) = (a / b, a % b);
+    let is_below = remainder != 0 && (remainder < 0) != (b < 0);
+    quotient - i128::from(is_below)
+}
+
+/// The texel, filtered, at coordinates with 8 fraction bits.
+fn sample(unit: &TextureUnit, texture: &Texture, lod: Lod, s: i32, t: i32) -> [i32; 4] {
+    let filter = if lod.is_finest { unit.magnify } else { unit.minify };
+    let mut number = lod.level();
+    if unit.odd_levels.is_some_and(|odd| (number & 1 != 0) != odd) {
+        number += 1;
+    }
+    let view = View { unit, texture, number: number as usize };
+    let shift = texture.level(view.number).shift;
+    match filter {
+        Filter::Point => view.texel(s >> (8 + shift), t >> (8 + shift)),
+        Filter::Bilinear => bilinear(&view, s >> shift, t >> shift),
+    }
+}
+
+/// Four texels weighted by four fraction bits: one exact sum, one truncation.
+fn bilinear(view: &View<'_>, s: i32, t: i32) -> [i32; 4] {
+    let (s, t) = (s.wrapping_sub(0x80), t.wrapping_sub(0x80));
+    let (column, row) = (s >> 8, t >> 8);
+    let (ds, dt) = (s >> 4 & 15, t >> 4 & 15);
+    let corners = [
+        (view.texel(column, row), (16 - ds) * (16 - dt)),
+        (view.texel(column + 1, row), ds * (16 - dt)),
+        (view.texel(column, row + 1), (16 - ds) * dt),
+        (view.texel(column + 1, row + 1), ds * dt),
+    ];
+    let mut sum = [0; 4];
+    for (texel, weight) in corners {
+        for (sum, texel) in sum.iter_mut().zip(texel) {
+            *sum += texel * weight;
+        }
+    }
+    sum.map(|sum| sum >> 8)
+}
+
+/// One level of a texture under a unit's addressing modes.
+struct View<'a> {
+    unit: &'a TextureUnit,
+    texture: &'a Texture,
+    number: usize,
+}
+
+impl View<'_> {
+    fn texel(&self, column: i32, row: i32) -> [i32; 4] {
+        let level = self.texture.level(self.number);
+        let column = place(column, level.s_mask, self.unit.clamp_s);
+        let row = place(row, level.t_mask, self.unit.clamp_t);
+        channels(self.texture.texel(self.number, column, row))
+    }
+}
+
+/// An index brought into 0..=mask.
+fn place(index: i32, mask: u32, clamp: bool) -> u32 {
+    match clamp {
+        true => index.clamp(0, mask as i32) as u32,
+        false => index as u32 & mask,
+    }
+}
+
+fn combine(unit: &TextureUnit, local: [i32; 4], other: [i32; 4], lod: Lod) -> [i32; 4] {
+    let flip = unit.trilinear && lod.level() & 1 != 0;
+    let mut out = [0; 4];
+    for (index, out) in out.iter_mut().enumerate() {
+        let arithmetic = if index == 3 { &unit.combine.alpha } else { &unit.combine.color };
+        let inputs = Inputs {
+            other: other[index],
+            local: local[index],
+            local_alpha: local[3],
+            factor: factor(arithmetic, unit, local, other, index, lod),
+            one_minus: arithmetic.one_minus != flip,
+        };
+        *out = channel(arithmetic, inputs);
+    }
+    out
+}
+
+fn factor(
+    arithmetic: &CombineUnit<TextureFactor>,
+    unit: &TextureUnit,
+    local: [i32; 4],
+    other: [i32; 4],
+    index: usize,
+    lod: Lod,
+) -> i32 {
+    match arithmetic.factor {
+        TextureFactor::Zero => 0,
+        TextureFactor::Local => local[index],
+        TextureFactor::OtherAlpha => other[3],
+        TextureFactor::LocalAlpha => local[3],
+        TextureFactor::Detail => detail(unit, lod),
+        TextureFactor::LodFraction => lod.fraction(),
+    }
+}
+
+/// The detail factor: rises as the level falls below the bias, up to a limit.
+fn detail(unit: &TextureUnit, lod: Lod) -> i32 {
+    let bias = i32::from(unit.detail_bias) * 256;
+    if bias <= lod.value {
+        return 0;
+    }
+    (((bias - lod.value) << unit.detail_scale) >> 8).min(i32::from(unit.detail_max))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quotients_are_rounded_down() {
+        assert_eq!(floor_div(7, 2), 3);
+        assert_eq!(floor_div(-7, 2), -4);
+        assert_eq!(floor_div(7, -2), -4);
+        assert_eq!(floor_div(-7, -2), 3);
+        assert_eq!(floor_div(-8, 2), -4);
+    }
+}
