@@ -226,6 +226,20 @@ static inline void shade_rectangle(float x0, float y0, float x1, float y1,
     draw_quad(&a, &b, &c, &d);
 }
 
+/* An ellipse of 64 triangles whose colour runs from the middle to the rim. */
+static inline void shade_ellipse(float x, float y, float rx, float ry, Color middle, Color rim)
+{
+    GrVertex center = vertex(x, y, middle), a, b = vertex(x + rx, y, rim);
+    int i;
+
+    for (i = 1; i <= 64; i++) {
+        float angle = 2.0f * PI * (float)i / 64.0f;
+        a = b;
+        b = vertex(x + rx * cosine(angle), y + ry * sine(angle), rim);
+        grDrawTriangle(&center, &a, &b);
+    }
+}
+
 /* Draw with the colours of the vertices, alpha included. */
 static inline void use_vertex_colors(void)
 {
@@ -242,6 +256,33 @@ static inline void use_blending(void)
 static inline void use_no_blending(void)
 {
     grAlphaBlendFunction(GR_BLEND_ONE, GR_BLEND_ZERO, GR_BLEND_ONE, GR_BLEND_ZERO);
+}
+
+static inline void use_added_light(void)
+{
+    grAlphaBlendFunction(GR_BLEND_SRC_ALPHA, GR_BLEND_ONE, GR_BLEND_ONE, GR_BLEND_ZERO);
+}
+
+/* Depth tests on z: the nearer pixel, with the greater value, wins. */
+static inline void use_z_buffer(void)
+{
+    grDepthBufferMode(GR_DEPTHBUFFER_ZBUFFER);
+    grDepthBufferFunction(GR_CMP_GREATER);
+    grDepthMask(FXTRUE);
+}
+
+/* Depth tests on w: the nearer pixel, with the smaller value, wins. */
+static inline void use_w_buffer(void)
+{
+    grDepthBufferMode(GR_DEPTHBUFFER_WBUFFER);
+    grDepthBufferFunction(GR_CMP_LESS);
+    grDepthMask(FXTRUE);
+}
+
+static inline void use_no_depth_buffer(void)
+{
+    grDepthMask(FXFALSE);
+    grDepthBufferMode(GR_DEPTHBUFFER_DISABLE);
 }
 
 /* --- space: x right, y up, z away from the viewer ----------------------- */

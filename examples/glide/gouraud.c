@@ -69,26 +69,13 @@ static void draw_sphere(float x, float y, float radius, float flip, Color materi
     grCullMode(GR_CULL_DISABLE);
 }
 
-/* A soft ellipse: a fan, dark in the middle, clear at the rim. */
-static void draw_shadow(float x, float y, float rx, float ry)
-{
-    Color dark = {0.0f, 0.0f, 0.02f, 0.75f}, clear = {0.0f, 0.0f, 0.02f, 0.0f};
-    GrVertex middle = vertex(x, y, dark);
-    int i;
-
-    for (i = 0; i < 48; i++) {
-        float p = 2.0f * PI * (float)i / 48.0f, q = 2.0f * PI * (float)(i + 1) / 48.0f;
-        GrVertex a = vertex(x + rx * cosine(p), y + ry * sine(p), clear);
-        GrVertex b = vertex(x + rx * cosine(q), y + ry * sine(q), clear);
-        grDrawTriangle(&middle, &a, &b);
-    }
-}
-
 static void draw_ball(float x, float floor_y, float radius, Color material)
 {
+    Color dark = {0.0f, 0.0f, 0.02f, 0.75f}, clear = {0.0f, 0.0f, 0.02f, 0.0f};
+
     use_blending();
     draw_sphere(x, floor_y + radius, radius, -1.0f, material, 0.75f);
-    draw_shadow(x + radius * 0.35f, floor_y + 2.0f, radius * 1.15f, radius * 0.17f);
+    shade_ellipse(x + radius * 0.35f, floor_y + 2.0f, radius * 1.15f, radius * 0.17f, dark, clear);
     use_no_blending();
     draw_sphere(x, floor_y - radius, radius, 1.0f, material, 1.0f);
 }

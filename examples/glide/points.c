@@ -88,7 +88,7 @@ int main(int argc, char **argv)
         draw_thousand_points(&seed);
 
         use_vertex_colors();
-        grAlphaBlendFunction(GR_BLEND_SRC_ALPHA, GR_BLEND_ONE, GR_BLEND_ONE, GR_BLEND_ZERO);
+        use_added_light();
         for (i = 0; i < 20000; i++) {
             draw_star(&seed, 0.02f * (float)frame);
         }
