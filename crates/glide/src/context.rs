@@ -124,6 +124,18 @@ impl Context {
         core::mem::take(&mut self.reports)
     }
 
+    /// Whether [`Context::take_reports`] has something.
+    pub fn has_reports(&self) -> bool {
+        !self.reports.is_empty()
+    }
+
+    /// The buffer under a lock of that kind.
+    pub fn lfb_locked(&self, kind: i32) -> Option<i32> {
+        let lfb = &self.boards.get(self.current)?.lfb;
+        let lock = if kind & 0xf == 1 { &lfb.write } else { &lfb.read };
+        lock.as_ref().map(|lock| lock.buffer)
+    }
+
     /// The current board where it is open; tells so otherwise.
     pub(crate) fn board(&mut self, function: &str) -> Option<&mut Board> {
         let open = self.boards.get(self.current).is_some_and(Board::is_open);

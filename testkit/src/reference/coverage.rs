@@ -11,10 +11,8 @@ use fillrate_engine::Registers;
 /// Whether the centre of the pixel at drawing coordinates (x, y) is covered.
 pub fn covers(registers: &Registers, x: u32, y: u32) -> bool {
     let (x, y) = (i64::from(x), i64::from(y));
-    let [a, b, c] = [0, 1, 2].map(|i| Point {
-        x: i64::from(registers.x[i]),
-        y: i64::from(registers.y[i]),
-    });
+    let [a, b, c] =
+        [0, 1, 2].map(|i| Point { x: i64::from(registers.x[i]), y: i64::from(registers.y[i]) });
     if y < first_row(a.y) || y >= first_row(c.y) {
         return false;
     }

@@ -25,10 +25,7 @@ pub fn centred(registers: &Registers) -> Registers {
 
 /// Columns and rows from the first vertex's pixel to (x, y).
 fn offset(registers: &Registers, x: u32, y: u32) -> (i32, i32) {
-    (
-        (x as i32).wrapping_sub(registers.x[0] >> 4),
-        (y as i32).wrapping_sub(registers.y[0] >> 4),
-    )
+    ((x as i32).wrapping_sub(registers.x[0] >> 4), (y as i32).wrapping_sub(registers.y[0] >> 4))
 }
 
 fn narrow(registers: &Registers, param: &Param, x: u32, y: u32) -> i32 {

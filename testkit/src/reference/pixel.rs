@@ -72,7 +72,8 @@ impl Reference {
         }
         self.counters.pixels_out += 1;
         let fogged = fog::apply(state, shaded.out, values);
-        let destination = output::Destination { format: self.format, color: self.color[index], aux };
+        let destination =
+            output::Destination { format: self.format, color: self.color[index], aux };
         let blended = output::blend(state, fogged, shaded.out, &destination, at);
         self.write(state, index, at, blended, depth);
     }
@@ -93,9 +94,9 @@ impl Reference {
 
 /// Maxima are exclusive; rows count before the flip.
 fn outside_clip(state: &DrawState, at: Position) -> bool {
-    state.clip.is_some_and(|clip| {
-        at.x < clip.x0 || at.x >= clip.x1 || at.y < clip.y0 || at.y >= clip.y1
-    })
+    state
+        .clip
+        .is_some_and(|clip| at.x < clip.x0 || at.x >= clip.x1 || at.y < clip.y0 || at.y >= clip.y1)
 }
 
 fn stippled_out(state: &DrawState, at: Position) -> bool {

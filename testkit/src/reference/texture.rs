@@ -2,17 +2,15 @@
 //!
 //! Source: SST1, texture units and textureMode register.
 
-use fillrate_engine::state::{
-    CombineUnit, DrawState, Filter, TextureFactor, TextureUnit,
-};
+use fillrate_engine::state::{CombineUnit, DrawState, Filter, TextureFactor, TextureUnit};
 use fillrate_engine::{Registers, Texture};
 
+use super::Textures;
 use super::combine::{Inputs, channel};
 use super::dither::channels;
 use super::iterate::wide;
 use super::lod::{self, Lod};
 use super::pixel::Position;
-use super::Textures;
 
 /// 1/w of a unit without perspective: 1.
 const UNIT_W: i64 = 1 << 32;

@@ -1,0 +1,193 @@
+//! Linear frame buffer access.
+
+use std::ffi::c_void;
+
+use fillrate_glide::{Call, ROW_PIXELS};
+use fillrate_guard::{bytes, guard, write};
+
+use crate::library::calls;
+use crate::session::{ask, call, session};
+
+/// `GrLfbInfo_t`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct LfbInfo {
+    size: i32,
+    pointer: *mut c_void,
+    stride: u32,
+    write_mode: i32,
+    origin: i32,
+}
+
+calls! {
+    /// Sets the alpha of writes without alpha.
+    grLfbConstantAlpha(alpha: u8) = Call::GrLfbConstantAlpha { alpha };
+    /// Sets the depth of writes without depth.
+    grLfbConstantDepth(depth: u16) = Call::GrLfbConstantDepth { depth };
+    /// Sets the colour format of writes.
+    grLfbWriteColorFormat(format: i32) = Call::GrLfbWriteColorFormat { format };
+    /// Sets the write mode of the calls before 2.4.
+    grLfbWriteMode(mode: i32) = Call::GrLfbWriteMode { mode };
+    /// Sets the row order of the calls before 2.4.
+    grLfbOrigin(origin: i32) = Call::GrLfbOrigin { origin };
+    /// Sets the pixel pipeline's bypass of the calls before 2.4.
+    grLfbBypassMode(mode: i32) = Call::GrLfbBypassMode { mode };
+}
+
+/// The start of a lock's memory. It does not move until the unlock.
+fn memory(kind: i32) -> *mut c_void {
+    let mut session = session();
+    session.context.lfb_memory(kind).map_or(std::ptr::null_mut(), |words| words.as_mut_ptr().cast())
+}
+
+/// Starts frame buffer access.
+///
+/// # Safety
+/// `info` is null or points to a `GrLfbInfo_t`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn grLfbLock(
+    kind: i32,
+    buffer: i32,
+    mode: i32,
+    origin: i32,
+    pipeline: i32,
+    info: *mut LfbInfo,
+) -> i32 {
+    guard(0, || {
+        if info.is_null() || call(Call::GrLfbLock { kind, buffer, mode, origin, pipeline }) == 0 {
+            return 0;
+        }
+        let wide = matches!(mode, 4 | 5 | 0xc..=0xe) && kind & 0xf == 1;
+        let native = if buffer >= 2 { 0xf } else { 0 };
+        let resolved = if kind & 0xf == 0 || mode == 0xff { native } else { mode };
+        let locked = LfbInfo {
+            size: size_of::<LfbInfo>() as i32,
+            pointer: memory(kind),
+            stride: (ROW_PIXELS * if wide { 4 } else { 2 }) as u32,
+            write_mode: resolved,
+            origin,
+        };
+        // SAFETY: the caller gives room for the description.
+        unsafe { write(info, locked) };
+        1
+    })
+}
+
+/// Ends frame buffer access.
+#[unsafe(no_mangle)]
+pub extern "C" fn grLfbUnlock(kind: i32, buffer: i32) -> i32 {
+    guard(0, || {
+        let written = session().context.lfb_written(kind).map(Into::into);
+        call(Call::GrLfbUnlock { kind, buffer, written }) as i32
+    })
+}
+
+/// Writes a rectangle.
+///
+/// # Safety
+/// `data` is null or points to `height` rows, `stride` bytes apart.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn grLfbWriteRegion(
+    buffer: i32,
+    x: u32,
+    y: u32,
+    format: i32,
+    width: u32,
+    height: u32,
+    stride: i32,
+    data: *const u8,
+) -> i32 {
+    guard(0, || {
+        let pixel = if matches!(format, 4 | 5 | 0xc..=0xe) { 4 } else { 2 };
+        let (width, height) = (width.min(ROW_PIXELS as u32), height.min(ROW_PIXELS as u32));
+        let rows = (height as usize).saturating_sub(1) * usize::try_from(stride).unwrap_or(0);
+        let size = if height == 0 { 0 } else { rows + width as usize * pixel };
+        // SAFETY: the caller's data holds the rectangle.
+        let data = unsafe { bytes(data, size) }.into();
+        call(Call::GrLfbWriteRegion { buffer, x, y, format, width, height, stride, data }) as i32
+    })
+}
+
+/// Reads a rectangle as 16-bit pixels.
+///
+/// # Safety
+/// `to` is null or has room for `height` rows, `stride` bytes apart.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn grLfbReadRegion(
+    buffer: i32,
+    x: u32,
+    y: u32,
+    width: u32,
+    height: u32,
+    stride: u32,
+    to: *mut u8,
+) -> i32 {
+    guard(0, || {
+        let read = ask(|context| context.lfb_read_region(buffer, (x, y), (width, height)));
+        let Some(pixels) = read.filter(|_| !to.is_null()) else { return 0 };
+        if width == 0 || height == 0 {
+            return 1;
+        }
+        let columns = (width as usize).min(ROW_PIXELS);
+        for (row, line) in pixels.chunks_exact(columns).enumerate() {
+            let at = to.wrapping_add(row * stride as usize).cast::<u16>();
+            for (column, &pixel) in line.iter().enumerate() {
+                // SAFETY: inside the caller's rectangle.
+                unsafe { at.wrapping_add(column).write_unaligned(pixel) }
+            }
+        }
+        1
+    })
+}
+
+/// Swaps bytes or words of later writes: part of the next release.
+#[unsafe(no_mangle)]
+pub extern "C" fn grLfbWriteColorSwizzle(bytes: i32, words: i32) {
+    if bytes != 0 || words != 0 {
+        crate::utility::unsupported("grLfbWriteColorSwizzle");
+    }
+}
+
+/// Starts access by pointer, before 2.4.
+#[unsafe(no_mangle)]
+pub extern "C" fn grLfbBegin() {
+    guard((), || {
+        call(Call::GrSstIdle {});
+    })
+}
+
+/// Ends access by pointer, before 2.4: carries out what was written.
+#[unsafe(no_mangle)]
+pub extern "C" fn grLfbEnd() {
+    guard((), || {
+        for kind in 0..=1 {
+            if let Some(buffer) = session().context.lfb_locked(kind) {
+                grLfbUnlock(kind, buffer);
+            }
+        }
+    })
+}
+
+/// The pixels of a buffer for reading, until `grLfbEnd`.
+#[unsafe(no_mangle)]
+pub extern "C" fn grLfbGetReadPtr(buffer: i32) -> *const u32 {
+    pointer(0, buffer).cast()
+}
+
+/// The pixels of a buffer for writing, until `grLfbEnd`.
+#[unsafe(no_mangle)]
+pub extern "C" fn grLfbGetWritePtr(buffer: i32) -> *mut c_void {
+    pointer(1, buffer)
+}
+
+fn pointer(kind: i32, buffer: i32) -> *mut c_void {
+    guard(std::ptr::null_mut(), || {
+        let (mode, origin, pipeline) = session().context.old_lfb_settings();
+        if let Some(buffer) = session().context.lfb_locked(kind) {
+            grLfbUnlock(kind, buffer);
+        }
+        let pipeline = i32::from(pipeline);
+        call(Call::GrLfbLock { kind, buffer, mode, origin, pipeline });
+        memory(kind)
+    })
+}

@@ -1,0 +1,218 @@
+//! The one library of the process.
+
+use std::fs::File;
+use std::io::BufWriter;
+use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
+
+use fillrate_call::{Encoder, Value};
+use fillrate_glide::{Call, Context, GlideConfig, GrVertex, Report};
+use fillrate_trace::{FrameInfo, Meta, TraceWriter};
+
+use crate::capture::{Capture, frame_of};
+use crate::settings::Settings;
+
+/// The type of an error callback: message, and whether it is fatal.
+pub type ErrorCallback = Option<unsafe extern "C" fn(*const std::ffi::c_char, i32)>;
+
+/// Records calls.
+struct Recorder {
+    writer: TraceWriter<BufWriter<File>>,
+    encoder: Encoder,
+}
+
+/// The library and what listens to it.
+pub struct Session {
+    /// The library itself.
+    pub context: Context,
+    recorder: Option<Recorder>,
+    capture: Option<Capture>,
+    exit_after: Option<u64>,
+    frames: u64,
+    /// The program's callback.
+    pub callback: ErrorCallback,
+}
+
+static SESSION: LazyLock<Mutex<Session>> = LazyLock::new(|| Mutex::new(Session::new()));
+
+/// The library of the process.
+pub fn session() -> MutexGuard<'static, Session> {
+    SESSION.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Executes a call, records it, and tells the program what went wrong.
+pub fn call(call: Call) -> u32 {
+    let mut session = session();
+    session.record(&call);
+    let result = session.context.execute(&call);
+    if let Call::GrBufferSwap { .. } = call {
+        session.frame_shown();
+    }
+    if let Call::GrGlideShutdown {} = call {
+        session.finish();
+    }
+    tell(session);
+    result
+}
+
+/// Draws a triangle; the call's value is only made where somebody records.
+pub fn draw_triangle(a: &GrVertex, b: &GrVertex, c: &GrVertex) {
+    let mut session = session();
+    if session.recorder.is_some() {
+        session.record(&Call::GrDrawTriangle { a: *a, b: *b, c: *c });
+    }
+    session.context.draw_triangle(a, b, c);
+    tell(session);
+}
+
+/// Asks the library something and tells the program what went wrong.
+pub fn ask<T>(question: impl FnOnce(&mut Context) -> T) -> T {
+    let mut session = session();
+    let answer = question(&mut session.context);
+    tell(session);
+    answer
+}
+
+/// Passes reports on, with the library unlocked: a callback may call it.
+fn tell(mut session: MutexGuard<'static, Session>) {
+    if !session.context.has_reports() {
+        return;
+    }
+    let reports = session.context.take_reports();
+    let callback = session.callback;
+    drop(session);
+    for report in reports {
+        tell_one(callback, &report);
+    }
+}
+
+fn tell_one(callback: ErrorCallback, report: &Report) {
+    let Some(callback) = callback else {
+        eprintln!("fillrate: {report}");
+        return;
+    };
+    if let Ok(text) = std::ffi::CString::new(report.to_string()) {
+        // SAFETY: the program gave a function of this type; the text outlives
+        // the call.
+        unsafe { callback(text.as_ptr(), i32::from(report.fatal)) }
+    }
+}
+
+impl Session {
+    fn new() -> Session {
+        let settings = Settings::from_environment();
+        let context = Context::new(settings.glide).or_else(|error| {
+            eprintln!("fillrate: {error}; the default board is used");
+            Context::new(GlideConfig::default())
+        });
+        let capture = settings.capture.and_then(|folder| {
+            let capture = Capture::new(folder, settings.every);
+            capture.map_err(|error| eprintln!("fillrate: cannot capture frames: {error}")).ok()
+        });
+        let recorder = settings.trace.and_then(|file| {
+            let recorder = Recorder::new(&file);
+            recorder.map_err(|error| eprintln!("fillrate: cannot record: {error}")).ok()
+        });
+        if recorder.is_some() {
+            // SAFETY: the function stays loaded as long as the process.
+            unsafe { atexit(finish_at_exit) };
+        }
+        Session {
+            context: context.expect("the default board is valid"),
+            recorder,
+            capture,
+            exit_after: settings.exit_after,
+            frames: 0,
+            callback: None,
+        }
+    }
+
+    fn record(&mut self, call: &Call) {
+        let Some(recorder) = &mut self.recorder else { return };
+        if let Err(error) = recorder.record(call) {
+            eprintln!("fillrate: recording stops: {error}");
+            self.recorder = None;
+        }
+    }
+
+    /// Hands the frame just shown to whoever wants it.
+    fn frame_shown(&mut self) {
+        if self.capture.is_some() || self.recorder.is_some() {
+            self.note_frame();
+        }
+        self.frames += 1;
+        if self.exit_after.is_some_and(|limit| self.frames >= limit) {
+            self.finish();
+            std::process::exit(0);
+        }
+    }
+
+    fn note_frame(&mut self) {
+        let Some(frame) = self.context.shown().and_then(frame_of) else { return };
+        let counters = self.context.counters();
+        if let Some(capture) = &mut self.capture
+            && let Err(error) = capture.frame(self.frames, &frame, counters)
+        {
+            eprintln!("fillrate: frames are no longer captured: {error}");
+            self.capture = None;
+        }
+        if let Some(recorder) = &mut self.recorder {
+            let info = FrameInfo {
+                width: frame.width(),
+                height: frame.height(),
+                hash: Some(frame.hash()),
+            };
+            if let Err(error) = recorder.writer.end_frame(info) {
+                eprintln!("fillrate: recording stops: {error}");
+                self.recorder = None;
+            }
+        }
+    }
+
+    /// Ends the files.
+    fn finish(&mut self) {
+        if let Some(recorder) = &mut self.recorder
+            && let Err(error) = recorder.writer.flush()
+        {
+            eprintln!("fillrate: the trace is cut short: {error}");
+        }
+    }
+
+    /// Ends the trace for good.
+    fn end_trace(&mut self) {
+        if let Some(recorder) = self.recorder.take()
+            && let Err(error) = recorder.writer.finish()
+        {
+            eprintln!("fillrate: the trace is cut short: {error}");
+        }
+    }
+}
+
+impl Recorder {
+    fn new(file: &std::path::Path) -> Result<Recorder, Box<dyn std::error::Error>> {
+        let program = std::env::args().next().unwrap_or_default();
+        let meta = Meta::new()
+            .with("api", "glide2x")
+            .with("program", program)
+            .with("creator", concat!("fillrate ", env!("CARGO_PKG_VERSION")));
+        let writer = TraceWriter::new(BufWriter::new(File::create(file)?), &meta)?;
+        Ok(Recorder { writer, encoder: Encoder::with_blobs() })
+    }
+
+    fn record(&mut self, call: &Call) -> Result<(), fillrate_trace::TraceError> {
+        self.encoder.clear();
+        call.encode(&mut self.encoder);
+        self.writer.record_encoded(&mut self.encoder)
+    }
+}
+
+unsafe extern "C" {
+    /// C's `atexit`.
+    fn atexit(function: extern "C" fn()) -> i32;
+}
+
+extern "C" fn finish_at_exit() {
+    // A program that exits inside a callback may hold the lock.
+    if let Ok(mut session) = SESSION.try_lock() {
+        session.end_trace();
+    }
+}
