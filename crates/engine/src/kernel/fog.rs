@@ -46,7 +46,9 @@ fn mix<S: Simd>(s: S, color: S::I, fog_color: S::I, amount: S::I) -> S::I {
 #[inline(always)]
 pub(crate) fn fog<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
     let Some(fog) = pass.pipeline.state.fog else { return };
-    let fog_color = Colors::splat(if fog.drop_fog_color { 0 } else { fog.color & 0xff_ffff });
+    // The constant mode adds the fog colour whole, whatever is dropped.
+    let dropped = fog.drop_fog_color && fog.amount != FogAmount::Constant;
+    let fog_color = Colors::splat(if dropped { 0 } else { fog.color & 0xff_ffff });
     let (fog_rb, fog_ga) = (s.splat(fog_color.rb.0[0]), s.splat(fog_color.ga.0[0]));
     let keep = s.splat(if fog.drop_fragment_color { 0 } else { -1 });
     for k in (0..block.len()).step_by(S::LANES) {
