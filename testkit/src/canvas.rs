@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use fillrate_engine::state::{DrawState, MAX_TMUS, Rect};
 use fillrate_engine::{
-    ClearValues, Counters, Cull, Device, DeviceConfig, EngineError, PixelFormat, PixelRun,
-    Registers, SurfaceId, Texture, Vertex,
+    ClearValues, Cull, Device, DeviceConfig, EngineError, PixelFormat, PixelRun, Registers,
+    SurfaceId, Texture, Vertex,
 };
 
 use crate::reference::{Reference, Textures};

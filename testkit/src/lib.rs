@@ -12,7 +12,7 @@
 
 pub mod canvas;
 pub mod compare;
-pub mod golden;
+
 pub mod random;
 pub mod reference;
 

@@ -1,0 +1,5 @@
+//! Tests of the engine against the reference, and of the reference itself.
+
+mod formats;
+mod random_cases;
+mod set_up;

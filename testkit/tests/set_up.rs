@@ -1,0 +1,42 @@
+//! The engine's triangle set-up against the reference's.
+
+use fillrate_engine::Cull;
+use fillrate_engine::setup::{Outcome, triangle};
+use fillrate_testkit::random::{Rng, vertices};
+use fillrate_testkit::reference::{SetUp, set_up};
+
+#[test]
+fn set_up_gives_the_same_registers() {
+    let mut rng = Rng::new(17);
+    let mut drawn = 0;
+    for round in 0..200_000 {
+        let corners = vertices(&mut rng, 640, 480);
+        let cull = rng.pick(&[Cull::Disabled, Cull::Negative, Cull::Positive]);
+        let expected = set_up(&corners, cull);
+        let actual = match triangle(corners.each_ref(), cull, 3) {
+            Outcome::Empty => SetUp::Empty,
+            Outcome::Culled => SetUp::Culled,
+            Outcome::Drawn(registers) => SetUp::Drawn(Box::new(registers)),
+        };
+        drawn += u32::from(matches!(expected, SetUp::Drawn(_)));
+        assert_eq!(actual, expected, "round {round}: {corners:?}, {cull:?}");
+    }
+    assert!(drawn > 100_000, "{drawn} drawn");
+}
+
+#[test]
+fn equal_rows_are_sorted_alike() {
+    let mut rng = Rng::new(18);
+    for _ in 0..20_000 {
+        let mut corners = vertices(&mut rng, 64, 64);
+        for vertex in &mut corners {
+            vertex.y = rng.pick(&[0.0, -0.0, 3.5, 20.0, -7.25]);
+        }
+        let actual = match triangle(corners.each_ref(), Cull::Disabled, 3) {
+            Outcome::Empty => SetUp::Empty,
+            Outcome::Culled => SetUp::Culled,
+            Outcome::Drawn(registers) => SetUp::Drawn(Box::new(registers)),
+        };
+        assert_eq!(actual, set_up(&corners, Cull::Disabled), "{corners:?}");
+    }
+}
