@@ -28,13 +28,14 @@ static Color tile(float u, float v)
 
 static void draw_floor(const Camera *camera)
 {
+    const float texels = 50.0f; /* per unit of length */
     Color white = rgb(1, 1, 1);
     Corner q[4];
 
-    q[0] = corner(vec(-400.0f, 0.0f, -2.0f), white, -25600.0f / 4.0f, 0.0f);
-    q[1] = corner(vec(-400.0f, 0.0f, 500.0f), white, -25600.0f / 4.0f, 502.0f * 16.0f);
-    q[2] = corner(vec(400.0f, 0.0f, 500.0f), white, 25600.0f / 4.0f, 502.0f * 16.0f);
-    q[3] = corner(vec(400.0f, 0.0f, -2.0f), white, 25600.0f / 4.0f, 0.0f);
+    q[0] = corner(vec(-400.0f, 0.0f, -2.0f), white, -400.0f * texels, 0.0f);
+    q[1] = corner(vec(-400.0f, 0.0f, 500.0f), white, -400.0f * texels, 502.0f * texels);
+    q[2] = corner(vec(400.0f, 0.0f, 500.0f), white, 400.0f * texels, 502.0f * texels);
+    q[3] = corner(vec(400.0f, 0.0f, -2.0f), white, 400.0f * texels, 0.0f);
     draw_in_space(camera, q, 4);
 }
 
@@ -114,7 +115,7 @@ int main(int argc, char **argv)
                       GR_TEXFMT_RGB_565, GR_LOD_256);
     for (frame = 0; frame < frames; frame++) {
         float ahead = 0.2f * (float)frame;
-        Camera camera = look_at(vec(0.7f, 4.2f, ahead), vec(4.2f, 2.6f, 12.0f + ahead), 420.0f);
+        Camera camera = look_at(vec(0.7f, 2.6f, ahead), vec(4.2f, 1.2f, 12.0f + ahead), 420.0f);
 
         use_vertex_colors();
         shade_rectangle(0, 0, 640, 480, rgb(0.24f, 0.44f, 0.70f), rgb(1.0f, 0.98f, 0.95f));

@@ -18,9 +18,9 @@ static Color bricks(float u, float v)
     float fx = x - (float)column, grain = cloud(u, v, 16);
     float edge = fx < 0.5f ? fx * 2.0f : (1.0f - fx) * 2.0f, rim = y < 0.5f ? y : 1.0f - y;
     float joint = ramp(0.06f, 0.14f, edge) * ramp(0.06f, 0.14f, rim);
-    Color clay = mix_color(rgb(0.78f, 0.44f, 0.30f), rgb(0.60f, 0.30f, 0.22f), lattice(column & 7, row));
+    Color clay = mix_color(rgb(0.95f, 0.60f, 0.42f), rgb(0.76f, 0.42f, 0.30f), lattice(column & 7, row));
 
-    clay = scale_color(clay, 0.72f + 0.5f * grain);
+    clay = scale_color(clay, 0.78f + 0.5f * grain);
     return mix_color(scale_color(rgb(0.66f, 0.62f, 0.56f), 0.6f + 0.5f * grain), clay, joint);
 }
 
@@ -46,20 +46,20 @@ static float glow(float u, float v, float x, float y, float reach)
  * arch to the other's. Torches hang on both walls. */
 static Color wall_light(float u, float v)
 {
-    float torch = glow(u, v, 0.5f, 0.22f, 0.007f), other = glow(u, v, 0.0f, 0.78f, 0.009f);
+    float torch = glow(u, v, 0.5f, 0.20f, 0.030f), other = glow(u, v, 0.0f, 0.80f, 0.024f);
     float rib = 1.0f - 0.35f * ramp(0.42f, 0.50f, fabsf(u - 0.5f));
 
-    return rgb(rib * (0.05f + 1.00f * torch + 0.20f * other), rib * (0.05f + 0.68f * torch + 0.42f * other),
-               rib * (0.10f + 0.34f * torch + 0.85f * other));
+    return rgb(rib * (0.10f + 1.10f * torch + 0.24f * other), rib * (0.09f + 0.76f * torch + 0.52f * other),
+               rib * (0.15f + 0.40f * torch + 0.95f * other));
 }
 
 static Color floor_light(float u, float v)
 {
-    float warm = glow(u, v, 0.5f, 0.0f, 0.05f) * ramp(0.9f, 0.0f, v);
-    float cool = glow(u, v, 0.0f, 1.0f, 0.05f) * ramp(0.1f, 1.0f, v);
+    float warm = glow(u, v, 0.5f, 0.0f, 0.16f) * ramp(0.9f, 0.0f, v);
+    float cool = glow(u, v, 0.0f, 1.0f, 0.13f) * ramp(0.1f, 1.0f, v);
 
-    return rgb(0.07f + 0.95f * warm + 0.12f * cool, 0.07f + 0.62f * warm + 0.36f * cool,
-               0.12f + 0.28f * warm + 0.85f * cool);
+    return rgb(0.12f + 1.00f * warm + 0.16f * cool, 0.12f + 0.70f * warm + 0.44f * cool,
+               0.18f + 0.34f * warm + 0.92f * cool);
 }
 
 typedef struct {

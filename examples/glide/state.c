@@ -65,7 +65,7 @@ static void change_everything(void)
 {
     grFogMode(GR_FOG_DISABLE);
     grFogColorValue(0xffffffff);
-    grDepthBufferFunction(GR_CMP_GEQUAL);
+    grDepthBufferFunction(GR_CMP_ALWAYS);
     grCullMode(GR_CULL_POSITIVE);
     grConstantColorValue(0xff59d0c0);
     guColorCombineFunction(GR_COLORCOMBINE_TEXTURE_TIMES_CCRGB);
