@@ -7,7 +7,7 @@
 #include "common.h"
 
 #define SEGMENTS 10 /* flat pieces of the arch */
-#define BAYS     7
+#define BAYS     14
 
 static Color bricks(float u, float v)
 {

@@ -30,7 +30,7 @@ static Color plaster(float u, float v)
     float tone = 0.86f + 0.16f * (cloud(u, v, 8) - 0.5f);
     float panel = fabsf(u * 2.0f - floorf(u * 2.0f) - 0.5f);
     Color wall = scale_color(rgb(0.84f, 0.80f, 0.70f), tone);
-    Color wood = mix_color(rgb(0.22f, 0.30f, 0.28f), rgb(0.28f, 0.37f, 0.34f), cloud(u, v, 16));
+    Color wood = mix_color(rgb(0.20f, 0.38f, 0.34f), rgb(0.27f, 0.46f, 0.41f), cloud(u, v, 16));
 
     if (v > 0.62f) { /* panelling below */
         float frame = ramp(0.36f, 0.38f, panel) + ramp(0.69f, 0.67f, v) + ramp(0.93f, 0.95f, v);
@@ -69,7 +69,7 @@ static Color carpet(float u, float v)
     float x = fabsf(u - 0.5f), y = fabsf(v - 0.5f), edge = x > y ? x : y, sum = x + y;
     float weave = 0.85f + 0.30f * lattice((int)(u * 128.0f), (int)(v * 128.0f));
     float wave = sine(40.0f * PI * sum) > 0.0f ? 1.0f : 0.0f;
-    Color c = rgb(0.56f, 0.09f, 0.12f);
+    Color c = rgb(0.72f, 0.13f, 0.15f);
 
     if (edge > 0.47f) {
         c = rgb(0.86f, 0.70f, 0.38f);
@@ -99,13 +99,13 @@ static const float LAMPS[3][6] = { /* position, colour */
 
 static Color light_at(Vec p, Vec normal)
 {
-    Color sum = rgb(0.20f, 0.20f, 0.24f);
+    Color sum = rgb(0.30f, 0.29f, 0.32f);
     int i;
 
     for (i = 0; i < 3; i++) {
         Vec to = sub(vec(LAMPS[i][0], LAMPS[i][1], LAMPS[i][2]), p);
         float square = dot(to, to), facing = clampf(dot(unit(to), normal), 0.0f, 1.0f);
-        float strength = (0.25f + 0.75f * facing) * 30.0f / (18.0f + square);
+        float strength = (0.25f + 0.75f * facing) * 48.0f / (18.0f + square);
         sum.r += strength * LAMPS[i][3];
         sum.g += strength * LAMPS[i][4];
         sum.b += strength * LAMPS[i][5];
@@ -242,16 +242,16 @@ int main(int argc, char **argv)
     guColorCombineFunction(GR_COLORCOMBINE_TEXTURE_TIMES_ITRGB);
     use_w_buffer();
     grCullMode(GR_CULL_NEGATIVE);
-    guFogGenerateExp2(table, 0.030f);
+    guFogGenerateExp2(table, 0.020f);
     grFogTable(table);
-    grFogColorValue(0xff6a6f80);
+    grFogColorValue(0xff8c8f98);
     grFogMode(GR_FOG_WITH_TABLE);
     for (frame = 0; frame < frames; frame++) {
         float angle = -0.5f + 2.0f * PI * (float)frame / 60.0f;
         Camera camera = look_at(vec(8.6f * sine(angle), 3.6f + 0.6f * sine(2.0f * angle), -8.6f * cosine(angle)),
                                 vec(0.6f * sine(angle), 2.5f, 0.0f), 400.0f);
 
-        grBufferClear(0xff6a6f80, 0, GR_WDEPTHVALUE_FARTHEST);
+        grBufferClear(0xff8c8f98, 0, GR_WDEPTHVALUE_FARTHEST);
         draw_shell(&camera, &t);
         draw_furniture(&camera, &t);
         grBufferSwap(1);
