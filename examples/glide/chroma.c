@@ -66,7 +66,7 @@ static void draw_shoal(float time)
         float speed = (10.0f + 26.0f * near) * (i % 3 == 0 ? 1.0f : -1.0f);
         float x = 640.0f * random_unit(&seed) + speed * time;
         float y = 60.0f + 330.0f * random_unit(&seed) + 6.0f * sine(time + (float)i);
-        Color light = mix_color(rgb(0.10f, 0.42f, 0.56f), rgb(1, 1, 1), ramp(0.0f, 0.9f, near));
+        Color light = mix_color(rgb(0.40f, 0.52f, 0.66f), rgb(1, 1, 1), ramp(0.0f, 0.9f, near));
 
         x -= 760.0f * floorf((x + 60.0f) / 760.0f);
         draw_fish(x, y, size, i % 3 == 0, light);

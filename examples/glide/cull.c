@@ -20,10 +20,11 @@ static Corner shell_corner(Vec n, int inside)
 {
     Vec outward = inside ? scale(n, -1.0f) : n;
     float sun = clampf(dot(outward, unit(vec(-0.55f, 0.70f, -0.65f))), 0.0f, 1.0f);
+    float back = clampf(dot(outward, unit(vec(0.40f, 0.35f, 0.85f))), 0.0f, 1.0f);
     float shine = sun * sun * sun * sun;
     Color c = inside ? rgb(0.98f, 0.52f, 0.16f) : rgb(0.20f, 0.48f, 0.86f);
 
-    c = scale_color(c, 0.28f + 0.78f * sun);
+    c = scale_color(c, 0.26f + 0.78f * sun + 0.55f * back);
     c = mix_color(c, rgb(1, 1, 1), 0.5f * shine * shine);
     return corner(scale(n, inside ? 0.97f : 1.0f), c, 0, 0);
 }

@@ -2,7 +2,7 @@
  *
  * dither.c: from 24 bits to 16. The same picture without dithering, with the
  * 2x2 and with the 4x4 pattern, and below each a magnified piece of it, read
- * back from the frame buffer.
+ * back from the frame buffer, with the contrast raised.
  */
 #include "common.h"
 
@@ -37,10 +37,24 @@ static void draw_picture(float x0)
     shade_rectangle(x0 + 8.0f, 216, x0 + 205.0f, 228, rgb(0.25f, 0.25f, 0.28f), rgb(0.05f, 0.05f, 0.08f));
 }
 
+static Color unpack_565(FxU16 pixel)
+{
+    return rgb((float)(pixel >> 11) / 31.0f, (float)(pixel >> 5 & 63) / 63.0f,
+               (float)(pixel & 31) / 31.0f);
+}
+
+/* Three times the contrast around a mean colour. */
+static Color contrast(Color c, Color mean)
+{
+    return rgb(mean.r + 3.0f * (c.r - mean.r), mean.g + 3.0f * (c.g - mean.g),
+               mean.b + 3.0f * (c.b - mean.b));
+}
+
 /* Magnifies a SAMPLE x SAMPLE square of the back buffer, with a frame. */
 static void magnify(int from_x, int from_y, int to_x, int to_y)
 {
     FxU16 pixels[SAMPLE * SAMPLE];
+    Color mean;
     int x, y;
 
     memset(pixels, 0, sizeof pixels);
@@ -49,10 +63,10 @@ static void magnify(int from_x, int from_y, int to_x, int to_y)
         fprintf(stderr, "cannot read the back buffer\n");
         exit(1);
     }
+    mean = unpack_565(pixels[SAMPLE * SAMPLE / 2 + SAMPLE / 2]);
     for (y = 0; y < SAMPLE; y++) {
         for (x = 0; x < SAMPLE; x++) {
-            FxU16 p = pixels[y * SAMPLE + x];
-            Color c = rgb((float)(p >> 11) / 31.0f, (float)(p >> 5 & 63) / 63.0f, (float)(p & 31) / 31.0f);
+            Color c = contrast(unpack_565(pixels[y * SAMPLE + x]), mean);
             shade_rectangle((float)(to_x + ZOOM * x), (float)(to_y + ZOOM * y),
                             (float)(to_x + ZOOM * (x + 1)), (float)(to_y + ZOOM * (y + 1)), c, c);
         }

@@ -24,7 +24,7 @@ static float wave(float x, float z, float time)
 /* A point of the sea: rows get longer towards the horizon. */
 static Corner sea_corner(int row, int column, float time)
 {
-    float z = 3.0f + 0.10f * (float)row + 0.00058f * (float)(row * row * row);
+    float z = -1.5f + 0.13f * (float)row + 0.00058f * (float)(row * row * row);
     float x = ((float)column / SEA_COLUMNS - 0.5f) * (10.0f + 2.1f * z);
     float h = wave(x, z, time), e = 0.4f;
     Vec normal = unit(vec(wave(x - e, z, time) - wave(x + e, z, time), 2.0f * e,

@@ -20,15 +20,15 @@ static void draw_blade(const Camera *camera, int i, float angle)
     Vec normal = turn(direction(i), 0.4f + 0.3f * angle, angle);
     Vec u = unit(cross(normal, vec(0.31f, 0.88f, -0.36f))), v = cross(normal, u);
     float facing = fabsf(dot(normal, unit(vec(-0.4f, 0.5f, -0.77f))));
-    Color tone = hue(0.52f + 0.50f * (float)i / BLADES);
+    Color tone = hue((float)i / BLADES);
     Corner corners[3];
     int k;
 
-    tone = mix_color(scale_color(tone, 0.30f + 0.65f * facing), rgb(1, 1, 1), 0.35f * facing * facing);
+    tone = mix_color(scale_color(tone, 0.40f + 0.60f * facing), rgb(1, 1, 1), 0.12f + 0.38f * facing * facing);
     for (k = 0; k < 3; k++) {
         float turns = 2.0f * PI * ((float)k / 3.0f + 0.13f * (float)i);
         Vec p = add(scale(u, 2.1f * cosine(turns)), scale(v, 2.1f * sine(turns)));
-        corners[k] = corner(p, scale_color(tone, k == 0 ? 1.15f : k == 1 ? 0.75f : 0.45f), 0, 0);
+        corners[k] = corner(p, scale_color(tone, k == 0 ? 1.20f : k == 1 ? 0.85f : 0.55f), 0, 0);
     }
     draw_in_space(camera, corners, 3);
 }
@@ -45,7 +45,7 @@ int main(int argc, char **argv)
         grBufferClear(0xff000000, 0, GR_ZDEPTHVALUE_FARTHEST);
         use_no_depth_buffer();
         shade_rectangle(0, 0, 640, 480, rgb(0.10f, 0.11f, 0.17f), rgb(0.03f, 0.03f, 0.06f));
-        shade_ellipse(320, 240, 420, 330, rgb(0.24f, 0.26f, 0.36f), rgb(0.05f, 0.055f, 0.09f));
+        shade_ellipse(320, 240, 560, 420, rgb(0.30f, 0.31f, 0.42f), rgb(0.04f, 0.04f, 0.08f));
         use_z_buffer();
         for (i = 0; i < BLADES; i++) {
             draw_blade(&camera, i, 0.9f + 0.03f * (float)frame);
