@@ -16,7 +16,7 @@ pub(crate) fn drop_key<S: Simd>(
     len: usize,
     key: u32,
 ) -> u64 {
-    let key = Colors::splat(key);
+    let key = Colors::splat(key & 0x00ff_ffff);
     let (rb, g) = (s.splat(key.rb.0[0]), s.splat(key.ga.0[0]));
     let mut equal = 0u64;
     for k in (0..len).step_by(S::LANES) {
@@ -42,7 +42,7 @@ pub(crate) fn chroma_key<S: Simd>(
     let len = block.len();
     let colors = match pass.pipeline.state.color_combine.other {
         Other::Iterated => &block.iterated,
-        Other::Texture => &block.texture,
+        Other::Texture => pass.pipeline.texture_output(&block.texture),
         Other::Constant => &pass.pipeline.color1,
     };
     tile.counters.chroma_fail += drop_key(s, &mut block.live, colors, len, key);

@@ -116,6 +116,11 @@ impl Pipeline {
         pipeline
     }
 
+    /// The texture chain's output: `chain`, or zeros where texturing is off.
+    pub fn texture_output<'a>(&'a self, chain: &'a Colors) -> &'a Colors {
+        if self.unit_count > 0 { chain } else { &self.zero }
+    }
+
     /// Whether anything is written to the aux plane.
     pub fn writes_aux(&self) -> bool {
         self.state.aux_write != AuxWrite::Nothing

@@ -71,21 +71,24 @@ impl TileCoverage {
         self.count == 0
     }
 
-    /// The covered fragments of the stamp at screen position (x, y).
+    /// The covered fragments of the stamp at screen position (x, y); `None`
+    /// where it and all stamps to its right are beyond an edge.
+    ///
+    /// An empty stamp alone says nothing of the next: slivers have gaps.
     #[inline(always)]
-    pub fn stamp<S: Simd>(&self, s: S, x: u32, y: u32) -> u32 {
+    pub fn stamp<S: Simd>(&self, s: S, x: u32, y: u32) -> Option<u32> {
         let mut mask = rect_mask(&self.area, x, y);
         let (dx, dy) = (x as i32 - self.x, y as i32 - self.y);
         for edge in &self.edges[..self.count] {
             let value = edge.start + edge.a * dx + edge.b * dy;
             if value + edge.greatest < 0 {
-                return 0;
+                return if edge.a <= 0 { None } else { Some(0) };
             }
             if value + edge.least < 0 {
                 mask &= inside(s, value, &edge.offsets);
             }
         }
-        mask
+        Some(mask)
     }
 }
 

@@ -160,17 +160,11 @@ impl<'a, S: Simd> TilePainter<'a, S> {
         target.materialize();
         let area = coverage.area;
         for y in (area.y0 & !3..area.y1).step_by(4) {
-            let mut entered = false;
             for x in (area.x0 & !3..area.x1).step_by(4) {
-                let mask = coverage.stamp(s, x, y);
+                let Some(mask) = coverage.stamp(s, x, y) else { break };
                 if mask == 0 {
-                    // Triangles are convex: past the right end of the row.
-                    if entered {
-                        break;
-                    }
                     continue;
                 }
-                entered = true;
                 self.counters.pixels_in += u64::from(mask.count_ones());
                 let mask = mask & rect_mask(clip, x, y);
                 if mask != 0 {
@@ -226,7 +220,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
         }
         for y in (area.y0 & !3..area.y1).step_by(4) {
             for x in (area.x0 & !3..area.x1).step_by(4) {
-                let mask = coverage.stamp(self.s, x, y);
+                let Some(mask) = coverage.stamp(self.s, x, y) else { break };
                 let inside = mask & rect_mask(clip, x, y);
                 self.counters.pixels_in += u64::from(mask.count_ones());
                 self.counters.depth_fail += u64::from(inside.count_ones());
