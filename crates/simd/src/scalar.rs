@@ -216,7 +216,12 @@ impl FloatLanes for F4 {
     }
     #[inline(always)]
     fn floor_i32(self) -> I4 {
-        lanes(|i| self.0[i].floor() as i32)
+        // The conversion truncates and limits, which is one too high for a
+        // negative fraction. `f64::floor` is a library call on many targets.
+        lanes(|i| {
+            let truncated = self.0[i] as i32;
+            truncated.saturating_sub(i32::from(self.0[i] < f64::from(truncated)))
+        })
     }
     #[inline(always)]
     fn high_word(self) -> I4 {

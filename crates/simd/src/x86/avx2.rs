@@ -96,9 +96,10 @@ impl Simd for Avx2 {
     }
     #[inline(always)]
     fn store_masked(self, lanes: I, to: &mut [i32], mask: M) {
-        let to = &mut to[..8];
-        // SAFETY: the slice holds 32 bytes; the token proves AVX2.
-        unsafe { _mm256_maskstore_epi32(to.as_mut_ptr(), mask.0, lanes.0) }
+        // Not a masked store: on Zen 4 that takes ten times as long, whatever
+        // the mask.
+        let old = self.load(to);
+        self.store(lanes.select(old, mask), to);
     }
     #[inline(always)]
     fn splat_f(self, value: f64) -> F {
