@@ -107,8 +107,8 @@ impl<'a> Operands<'a> {
 fn unusual_locals<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
     let state = &pass.pipeline.state;
     let constant = &pass.pipeline.color0;
-    let by_texture = state.color_combine.local == ColorLocal::ByTextureAlpha
-        && pass.pipeline.unit_count > 0;
+    let by_texture =
+        state.color_combine.local == ColorLocal::ByTextureAlpha && pass.pipeline.unit_count > 0;
     for k in (0..block.len()).step_by(S::LANES) {
         let rb = s.load(&block.iterated.rb.0[k..]);
         let ga = s.load(&block.iterated.ga.0[k..]);

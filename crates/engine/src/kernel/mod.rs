@@ -2,7 +2,7 @@
 //!
 //! stipple -> depth -> texture units (level of detail, address, fetch,
 //! combine) -> iterated colours -> chroma key -> combine -> alpha test -> fog
-//! -> depth write -> blend, dither, write. A [`Pipeline`] is a draw state
+//! -> blend -> depth write -> dither, write. A [`Pipeline`] is a draw state
 //! compiled into the list of stages it needs; each stage is one small
 //! function over a [`block::Block`] of 64 fragments, compiled for every SIMD
 //! level from the same text.

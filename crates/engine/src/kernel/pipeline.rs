@@ -28,8 +28,8 @@ pub(crate) enum Stage {
     Combine,
     AlphaTest,
     Fog,
-    DepthWrite,
     Blend,
+    DepthWrite,
     Write,
 }
 
@@ -39,8 +39,8 @@ pub(crate) struct Needs {
     pub z: bool,
     pub w: bool,
     pub colors: bool,
-    /// Fragments can be dropped after the depth test, so depth is written at
-    /// the end.
+    /// Fragments can be dropped after the depth test, or blending reads the
+    /// aux plane, so depth is written at the end.
     pub late_depth_write: bool,
     /// The depth value is compared or written.
     pub depth: bool,
@@ -175,7 +175,9 @@ fn needs(state: &DrawState) -> Needs {
             || state.alpha_combine.local == AlphaLocal::Depth,
         w: source(DepthSource::FloatW) || fog(FogAmount::Table),
         colors: reads_iterated(state),
-        late_depth_write: state.chroma_key.is_some() || state.alpha_test.is_some(),
+        late_depth_write: state.chroma_key.is_some()
+            || state.alpha_test.is_some()
+            || state.blend.is_some_and(|blend| blend.alpha_plane),
         depth,
     }
 }
@@ -217,8 +219,8 @@ fn stages(
     add(true, Stage::Combine);
     add(state.alpha_test.is_some(), Stage::AlphaTest);
     add(state.fog.is_some(), Stage::Fog);
-    add(needs.late_depth_write && state.aux_write == AuxWrite::Depth, Stage::DepthWrite);
     add(state.blend.is_some(), Stage::Blend);
+    add(needs.late_depth_write && state.aux_write == AuxWrite::Depth, Stage::DepthWrite);
     add(true, Stage::Write);
     list
 }

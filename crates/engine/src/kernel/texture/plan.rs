@@ -39,14 +39,14 @@ pub(crate) struct UnitPlan {
     pub switches: Switches,
 }
 
-/// The coarsest level of detail there is: a 1x1 level.
+/// The coarsest level of detail there is.
 const COARSEST: i32 = 0x800;
 
 impl UnitPlan {
     /// Compiles unit `index`; `has_other` where a unit upstream is in use.
     pub fn new(index: usize, unit: TextureUnit, texture: Arc<Texture>, has_other: bool) -> Self {
         let combine = unit.combine;
-        let lod_max = i32::from(unit.lod.max).min(COARSEST.max(deepest(&texture)));
+        let lod_max = i32::from(unit.lod.max).min(COARSEST);
         UnitPlan {
             index,
             unit,
@@ -71,12 +71,6 @@ impl UnitPlan {
     pub fn levels(&self) -> (i32, i32) {
         (self.lod_min >> 8, self.lod_max >> 8)
     }
-}
-
-/// The level of detail of a texture's deepest level, for textures above 256
-/// texels.
-fn deepest(texture: &Texture) -> i32 {
-    i32::from(texture.desc().last) << 8
 }
 
 /// Whether the unit's output is its texel, unchanged.
