@@ -7,17 +7,18 @@
  */
 #include "common.h"
 
-/* A disc of one colour with an antialiased rim. */
+/* A disc of one colour; only the outer edge of each triangle is antialiased. */
 static void draw_disc(float x, float y, float radius, Color c)
 {
-    GrVertex rim[72];
+    GrVertex middle = vertex(x, y, c), a, b = vertex(x + radius, y, c);
     int i;
 
-    for (i = 0; i < 72; i++) {
+    for (i = 1; i <= 72; i++) {
         float angle = 2.0f * PI * (float)i / 72.0f;
-        rim[i] = vertex(x + radius * cosine(angle), y + radius * sine(angle), c);
+        a = b;
+        b = vertex(x + radius * cosine(angle), y + radius * sine(angle), c);
+        grAADrawTriangle(&middle, &a, &b, FXFALSE, FXTRUE, FXFALSE);
     }
-    grAADrawPolygonVertexList(72, rim);
 }
 
 static void draw_lamps(float x, float y, float time)

@@ -190,13 +190,21 @@ static inline void set_color(GrVertex *v, Color c)
     v->a = clampf(c.a, 0.0f, 1.0f) * 255.0f;
 }
 
+/* To the nearest sixteenth of a pixel. The board keeps no more of x and y, but
+ * computes gradients from what it is given: snapped beforehand the two agree,
+ * edges shared by triangles stay shut, and colours do not overshoot. */
+static inline float snap(float coordinate)
+{
+    return floorf(coordinate * 16.0f + 0.5f) * 0.0625f;
+}
+
 static inline GrVertex vertex(float x, float y, Color c)
 {
     GrVertex v;
 
     memset(&v, 0, sizeof v);
-    v.x = x;
-    v.y = y;
+    v.x = snap(x);
+    v.y = snap(y);
     v.oow = 1.0f;
     set_color(&v, c);
     return v;
