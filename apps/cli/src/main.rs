@@ -11,6 +11,7 @@ mod library;
 mod replay;
 mod run;
 mod settings;
+mod target;
 
 use std::process::ExitCode;
 

@@ -4,7 +4,7 @@ use fillrate_glide::{Call, GrVertex};
 use fillrate_guard::{guard, read};
 
 use crate::library::gather;
-use crate::session::{call, draw_triangle};
+use crate::session::{call, draw_triangle, null};
 
 /// Exports that take vertices by pointer.
 macro_rules! primitives {
@@ -17,7 +17,9 @@ macro_rules! primitives {
         pub unsafe extern "C" fn $name($($v: *const GrVertex,)* $($arg: $type),*) {
             guard((), || {
                 // SAFETY: null, or a vertex by the caller's promise.
-                $(let Some($v) = (unsafe { read($v) }) else { return };)*
+                $(let Some($v) = (unsafe { read($v) }) else {
+                    return null(stringify!($name));
+                };)*
                 call($call);
             })
         }
@@ -54,7 +56,9 @@ pub unsafe extern "C" fn grDrawTriangle(
 ) {
     guard((), || {
         // SAFETY: null, or a vertex by the caller's promise.
-        let (Some(a), Some(b), Some(c)) = (unsafe { (read(a), read(b), read(c)) }) else { return };
+        let (Some(a), Some(b), Some(c)) = (unsafe { (read(a), read(b), read(c)) }) else {
+            return null("grDrawTriangle");
+        };
         draw_triangle(&a, &b, &c);
     })
 }

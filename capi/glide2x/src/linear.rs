@@ -6,7 +6,7 @@ use fillrate_glide::{Call, ROW_PIXELS};
 use fillrate_guard::{bytes, guard, write};
 
 use crate::library::calls;
-use crate::session::{ask, call, session};
+use crate::session::{ask, call, null, session};
 
 /// `GrLfbInfo_t`.
 #[repr(C)]
@@ -98,6 +98,10 @@ pub unsafe extern "C" fn grLfbWriteRegion(
     data: *const u8,
 ) -> i32 {
     guard(0, || {
+        if data.is_null() {
+            null("grLfbWriteRegion");
+            return 0;
+        }
         let pixel = if matches!(format, 4 | 5 | 0xc..=0xe) { 4 } else { 2 };
         let (width, height) = (width.min(ROW_PIXELS as u32), height.min(ROW_PIXELS as u32));
         let rows = (height as usize).saturating_sub(1) * usize::try_from(stride).unwrap_or(0);

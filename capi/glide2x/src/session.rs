@@ -72,6 +72,11 @@ pub fn ask<T>(question: impl FnOnce(&mut Context) -> T) -> T {
     answer
 }
 
+/// In checking mode, tells of a null pointer.
+pub fn null(function: &str) {
+    ask(|context| context.misuse(function, "a pointer is null"));
+}
+
 /// Passes reports on, with the library unlocked: a callback may call it.
 fn tell(mut session: MutexGuard<'static, Session>) {
     if !session.context.has_reports() {
@@ -100,6 +105,7 @@ fn tell_one(callback: ErrorCallback, report: &Report) {
 impl Session {
     fn new() -> Session {
         let settings = Settings::from_environment();
+        let card = settings.glide.card.name;
         let context = Context::new(settings.glide).or_else(|error| {
             eprintln!("fillrate: {error}; the default board is used");
             Context::new(GlideConfig::default())
@@ -109,7 +115,7 @@ impl Session {
             capture.map_err(|error| eprintln!("fillrate: cannot capture frames: {error}")).ok()
         });
         let recorder = settings.trace.and_then(|file| {
-            let recorder = Recorder::new(&file);
+            let recorder = Recorder::new(&file, card);
             recorder.map_err(|error| eprintln!("fillrate: cannot record: {error}")).ok()
         });
         if recorder.is_some() {
@@ -188,11 +194,12 @@ impl Session {
 }
 
 impl Recorder {
-    fn new(file: &std::path::Path) -> Result<Recorder, Box<dyn std::error::Error>> {
+    fn new(file: &std::path::Path, card: &str) -> Result<Recorder, Box<dyn std::error::Error>> {
         let program = std::env::args().next().unwrap_or_default();
         let meta = Meta::new()
             .with("api", "glide2x")
             .with("program", program)
+            .with("card", card)
             .with("creator", concat!("fillrate ", env!("CARGO_PKG_VERSION")));
         let writer = TraceWriter::new(BufWriter::new(File::create(file)?), &meta)?;
         Ok(Recorder { writer, encoder: Encoder::with_blobs() })

@@ -119,6 +119,11 @@ impl Context {
         }
     }
 
+    /// In checking mode, tells of a misuse that only the caller can see.
+    pub fn misuse(&mut self, function: &str, rule: &str) {
+        self.check(false, function, rule);
+    }
+
     /// What went wrong since the last call of this.
     pub fn take_reports(&mut self) -> Vec<Report> {
         core::mem::take(&mut self.reports)
