@@ -12,9 +12,10 @@
 
 pub mod canvas;
 pub mod compare;
-
+pub mod golden;
 pub mod random;
 pub mod reference;
 
 pub use canvas::{Canvas, DeviceCanvas};
+pub use golden::{golden, golden_frames};
 pub use reference::Reference;

@@ -1,5 +1,6 @@
 //! Tests of the engine against the reference, and of the reference itself.
 
 mod formats;
+mod golden_scenes;
 mod random_cases;
 mod set_up;

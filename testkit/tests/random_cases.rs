@@ -9,20 +9,36 @@ use fillrate_engine::Counters;
 use fillrate_testkit::compare::Comparison;
 use fillrate_testkit::random::case;
 
+/// Mismatches after which a thread stops.
+const MAX_REPORTS: usize = 4;
+
 /// A number from the environment.
 fn setting(name: &str, default: u64) -> u64 {
     std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(default)
 }
 
-/// Checks every `step`th seed; the counters show that the cases draw.
-fn check_seeds(seeds: std::ops::Range<u64>, step: usize) -> Result<Counters, String> {
-    let mut comparison = Comparison::new().map_err(|error| error.to_string())?;
-    let mut total = Counters::default();
+/// What a thread found.
+#[derive(Default)]
+struct Findings {
+    /// Sums over all cases; they show that the cases draw.
+    total: Counters,
+    reports: Vec<String>,
+}
+
+/// Checks every `step`th seed.
+fn check_seeds(seeds: std::ops::Range<u64>, step: usize) -> Findings {
+    let mut comparison = Comparison::new().expect("devices can be made");
+    let mut findings = Findings::default();
     for seed in seeds.step_by(step) {
-        let checked = comparison.check(&case(seed));
-        total += checked.map_err(|report| format!("FILLRATE_SEED={seed}: {report}"))?;
+        match comparison.check(&case(seed)) {
+            Ok(counters) => findings.total += counters,
+            Err(report) => findings.reports.push(format!("FILLRATE_SEED={seed}: {report}")),
+        }
+        if findings.reports.len() == MAX_REPORTS {
+            break;
+        }
     }
-    Ok(total)
+    findings
 }
 
 #[test]
@@ -30,25 +46,29 @@ fn random_cases_equal_the_reference() {
     let cases = setting("FILLRATE_CASES", 10_000);
     let first = setting("FILLRATE_SEED", 1);
     let parts = 2;
-    let total = thread::scope(|scope| {
+    let mut all = Findings::default();
+    thread::scope(|scope| {
         let part = |part: u64| {
             let seeds = first + part..first + cases;
             scope.spawn(move || check_seeds(seeds, parts as usize))
         };
         let running: Vec<_> = (0..parts).map(part).collect();
-        running.into_iter().fold(Counters::default(), |mut total, thread| {
-            match thread.join().expect("a comparison does not panic") {
-                Ok(counters) => total += counters,
-                Err(report) => panic!("{report}"),
-            }
-            total
-        })
+        for thread in running {
+            let findings = thread.join().expect("a comparison does not panic");
+            all.total += findings.total;
+            all.reports.extend(findings.reports);
+        }
     });
-    println!("{cases} cases, {total:?}");
+    assert!(all.reports.is_empty(), "{}", all.reports.join("\n"));
+    println!("{cases} cases, {:?}", all.total);
     if cases >= 1000 {
-        let per_case = |count: u64| count / cases;
-        assert!(per_case(total.pixels_in) > 500 && per_case(total.pixels_out) > 200, "{total:?}");
-        assert!(per_case(total.depth_fail) > 20 && total.chroma_fail > 0, "{total:?}");
-        assert!(per_case(total.alpha_fail) > 10, "{total:?}");
+        assert_cases_draw(cases, &all.total);
     }
+}
+
+/// The cases must reach all stages, or they test nothing.
+fn assert_cases_draw(cases: u64, total: &Counters) {
+    assert!(total.pixels_in / cases > 500 && total.pixels_out / cases > 200, "{total:?}");
+    assert!(total.depth_fail / cases > 20 && total.alpha_fail / cases > 10, "{total:?}");
+    assert!(total.chroma_fail / cases > 5, "{total:?}");
 }

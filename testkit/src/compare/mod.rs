@@ -1,5 +1,6 @@
 //! The engine against the reference, bit for bit.
 
+mod describe;
 mod shrink;
 
 use std::fmt;
@@ -9,7 +10,7 @@ use fillrate_engine::{Counters, DeviceConfig, EngineError};
 use fillrate_simd::Level;
 
 use crate::canvas::{DeviceCanvas, ReferenceCanvas};
-use crate::random::{Case, Command};
+use crate::random::Case;
 use crate::reference::Reference;
 
 /// What differs first between two results.
@@ -164,24 +165,5 @@ fn report(case: &Case, config: &DeviceConfig) -> String {
     };
     let small = shrink::shrink(case, &|case| mismatch_of(case, config).is_some());
     let mismatch = mismatch_of(&small, config).unwrap_or(mismatch);
-    format!("{cell}: {mismatch}\n{}", describe(&small))
-}
-
-/// A case as text; textures by their shape only.
-pub fn describe(case: &Case) -> String {
-    use fmt::Write as _;
-    let Case { width, height, format, aux, contents, commands } = case;
-    let mut out =
-        format!("{width}x{height} {format:?}, aux {aux}, contents {contents:?}, commands:\n");
-    for command in commands {
-        let line = match command {
-            Command::State { state, textures } => {
-                let shapes = textures.each_ref().map(|t| t.as_ref().map(|t| t.desc()));
-                writeln!(out, "{state:#?}\ntextures {shapes:?}")
-            }
-            other => writeln!(out, "{other:?}"),
-        };
-        line.expect("writing to a string does not fail");
-    }
-    out
+    format!("{cell}: {mismatch}\n{}", describe::case(&small))
 }
