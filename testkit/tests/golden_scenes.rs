@@ -200,9 +200,9 @@ fn texture_levels_bilinear() {
 fn fog_table_w() {
     let mut table = FogTable::default();
     for (entry, value) in table.value.iter_mut().enumerate() {
-        *value = (entry * 4) as u8;
+        *value = (entry * 10).min(255) as u8;
     }
-    table.delta = [16; 64];
+    table.delta = [40; 64];
     golden("engine/fog_table_w", SIDE, SIDE, |canvas| {
         let fog = Fog {
             amount: FogAmount::Table,
