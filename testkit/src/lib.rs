@@ -3,7 +3,7 @@
 //! [`reference`](mod@reference) is the definition of the fragment pipeline: slow, scalar and as
 //! obvious as possible. [`random`] makes unpleasant cases, [`compare`] draws
 //! them with the reference and with the engine and demands the same bits and
-//! counts, [`golden`] compares scenes with stored pictures.
+//! counts, [`golden`](mod@golden) compares scenes with stored pictures.
 //!
 //! The reference shares the engine's data types and nothing else: no set-up,
 //! no iterator, no kernel, no packing.

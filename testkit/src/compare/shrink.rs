@@ -35,12 +35,20 @@ fn adopt(case: &mut Case, changed: Case, fails: &dyn Fn(&Case) -> bool) -> bool 
     take
 }
 
+/// Tries to drop ever shorter runs of commands.
 fn drop_commands(case: &mut Case, fails: &dyn Fn(&Case) -> bool) -> bool {
     let mut progress = false;
-    for index in (0..case.commands.len()).rev() {
-        let mut changed = case.clone();
-        changed.commands.remove(index);
-        progress |= adopt(case, changed, fails);
+    let mut length = case.commands.len().div_ceil(2);
+    while length > 0 {
+        let mut end = case.commands.len();
+        while end > 0 {
+            let start = end.saturating_sub(length);
+            let mut changed = case.clone();
+            changed.commands.drain(start..end);
+            progress |= adopt(case, changed, fails);
+            end = start;
+        }
+        length /= 2;
     }
     progress
 }

@@ -72,6 +72,9 @@ impl Case {
     }
 }
 
+/// Commands of a state that draws many: more than a worker takes at once.
+const MANY: u32 = 700;
+
 /// The case of a seed.
 pub fn case(seed: u64) -> Case {
     let rng = &mut Rng::new(seed);
@@ -92,7 +95,7 @@ pub fn case(seed: u64) -> Case {
         let state = draw_state(rng, width, height);
         let textures = textures(rng, &state);
         commands.push(Command::State { state: Box::new(state), textures });
-        let count = 1 + rng.below(4);
+        let count = if rng.one_in(400) { MANY } else { 1 + rng.below(4) };
         commands.extend((0..count).map(|_| command(rng, width, height)));
     }
     Case { width, height, format, aux, contents, commands }
