@@ -20,7 +20,7 @@ fn texture(rng: &mut Rng, clamp_s: bool) -> Texture {
     // Small sides mostly: large textures take long to fill, and repeat less.
     let largest = if rng.one_in(40) { 9 } else { 6 };
     let first = if rng.coin() { 0 } else { rng.below(9) as u8 };
-    let last = if rng.one_in(4) { first } else { first + rng.below(9 - u32::from(first)) as u8 };
+    let last = if rng.one_in(4) { first } else { first + rng.below(12 - u32::from(first)) as u8 };
     let bits = |rng: &mut Rng| {
         let level_bits = rng.below(largest) as u8;
         (level_bits + first).min(11)
