@@ -61,11 +61,11 @@ pub fn write_page(folder: &Path, pictures: &[Picture]) -> Result<()> {
     let mut page = String::from(HEAD);
     for p in pictures {
         // Names, hashes and files come from our own examples: plain words.
-        write!(
+        writeln!(
             page,
             "<figure><img src=\"{}\" alt=\"{}\" width=\"{}\" height=\"{}\"><figcaption><b>{}</b> \
              <code>{}</code><br><small>{} frames, {} triangles, {:.1} Mpixel/s, {} threads, {}\
-             </small></figcaption></figure>\n",
+             </small></figcaption></figure>",
             p.file,
             p.name,
             p.width,

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use fillrate_engine::DeviceConfig;
+use fillrate_engine::target::TileSize;
 use fillrate_glide::GlideConfig;
 use fillrate_glide::card::{CARDS, Card};
 
@@ -60,6 +61,13 @@ impl Settings {
         };
         device.threads = variable("FILLRATE_THREADS", threads).unwrap_or(device.threads);
         device.level = variable("FILLRATE_SIMD", level).unwrap_or(device.level);
+        let tile = |text: &str| match number(text)? {
+            32 => Ok(TileSize::Small),
+            64 => Ok(TileSize::Medium),
+            128 => Ok(TileSize::Large),
+            _ => Err("tiles are 32, 64 or 128 pixels".into()),
+        };
+        device.tile = variable("FILLRATE_TILE", tile).unwrap_or(device.tile);
         let boards = |text: &str| match number(text)? {
             n @ 1..=4 => Ok(n as usize),
             _ => Err("it is outside 1 to 4".into()),

@@ -170,9 +170,7 @@ pub unsafe extern "C" fn grTexDownloadMipMapLevel(
     even_odd: u32,
     data: *const u8,
 ) {
-    let last = match layout::size(aspect, this_lod.clamp(0, 8) as u32) {
-        (_, height) => height as i32 - 1,
-    };
+    let last = layout::size(aspect, this_lod.clamp(0, 8) as u32).1 as i32 - 1;
     // SAFETY: all rows are the whole level.
     unsafe {
         grTexDownloadMipMapLevelPartial(

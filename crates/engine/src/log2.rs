@@ -42,7 +42,7 @@ const fn thresholds() -> [u64; 256] {
         let mut bit = 0;
         while bit < 8 {
             if k >> (7 - bit) & 1 != 0 {
-                product = product * roots[bit] >> 61;
+                product = (product * roots[bit]) >> 61;
             }
             bit += 1;
         }

@@ -75,7 +75,7 @@ impl Board {
             MIPMAP_DISABLE => settings.large_lod,
             _ => settings.small_lod,
         };
-        let bits = settings.large_lod * 4 | (small * 4) << 6;
+        let bits = (settings.large_lod * 4) | ((small * 4) << 6);
         let tmu = &mut self.tmus[unit];
         tmu.t_lod = replace(tmu.t_lod, 0xfff, bits);
         self.dirty = true;

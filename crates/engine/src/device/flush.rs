@@ -92,7 +92,6 @@ impl Device {
             let counters = work.run();
             *total.lock().unwrap_or_else(PoisonError::into_inner) += counters;
         });
-        drop(queue);
         self.counters += total.into_inner().unwrap_or_else(PoisonError::into_inner);
         for chunk in chunks {
             self.counters += chunk.counters;

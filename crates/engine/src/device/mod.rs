@@ -221,11 +221,16 @@ impl Device {
         self.arena.commands.push(Command::Triangle { vertices: index, cull, state });
     }
 
-    /// Draws a triangle that was set up elsewhere, later.
+    /// Draws a triangle that was set up elsewhere, later. Of its coordinates
+    /// the low 16 bits count, sign-extended, as in the chip.
     pub fn launch(&mut self, registers: &Registers) {
         let Some(state) = self.use_state() else { return };
         let index = self.arena.registers.len() as u32;
-        self.arena.registers.push(*registers);
+        let mut registers = *registers;
+        for coordinate in registers.x.iter_mut().chain(&mut registers.y) {
+            *coordinate = i32::from(*coordinate as i16);
+        }
+        self.arena.registers.push(registers);
         self.arena.commands.push(Command::Launch { registers: index, state });
     }
 

@@ -20,6 +20,9 @@ use crate::vertex::GrVertex;
 /// negative.
 type Row = ([(f32, f32); 3], [f32; 3], bool);
 
+/// A row of an edge's table: a [`Row`], and whether parameters start at b's.
+type EdgeRow = ([(f32, f32); 3], [f32; 3], bool, bool);
+
 /// The direction in which an edge's ramp falls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Side {
@@ -213,13 +216,7 @@ fn side(a: &Vertex, b: &Vertex, c: &Vertex, dx: f32, dy: f32) -> Option<Side> {
 
 /// The two ramp triangles of an edge; the last field says that parameters
 /// start at b's values.
-fn edge_rows(
-    side: Side,
-    a: &Vertex,
-    b: &Vertex,
-    dx: f32,
-    dy: f32,
-) -> [([(f32, f32); 3], [f32; 3], bool, bool); 2] {
+fn edge_rows(side: Side, a: &Vertex, b: &Vertex, dx: f32, dy: f32) -> [EdgeRow; 2] {
     let (pa, pb, aa, ab) = ((a.x, a.y), (b.x, b.y), a.a, b.a);
     let at = |v: &Vertex, x: f32, y: f32| (v.x + x, v.y + y);
     match side {

@@ -17,8 +17,8 @@ fn exp(x: f64) -> f64 {
     if x < -700.0 {
         return 0.0;
     }
-    const LN2_HIGH: f64 = 6.931_471_803_691_238_164_9e-1;
-    const LN2_LOW: f64 = 1.908_214_929_270_587_700_02e-10;
+    const LN2_HIGH: f64 = f64::from_bits(0x3fe6_2e42_fee0_0000);
+    const LN2_LOW: f64 = f64::from_bits(0x3dea_39ef_3579_3c76);
     let n = (x * core::f64::consts::LOG2_E).floor();
     let r = (x - n * LN2_HIGH) - n * LN2_LOW;
     // Taylor's series on 0..ln 2, smallest terms first.

@@ -3,7 +3,7 @@
 //! Source: SST1, texture formats; NCC tables: nccTable registers.
 
 /// A narrow-channel compression table: Y plus I plus Q, channel by channel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct NccTable {
     /// Brightness.
     pub y: [u8; 16],
@@ -11,12 +11,6 @@ pub struct NccTable {
     pub i: [[i16; 3]; 4],
     /// Red, green, blue of each Q, signed 9 bits.
     pub q: [[i16; 3]; 4],
-}
-
-impl Default for NccTable {
-    fn default() -> NccTable {
-        NccTable { y: [0; 16], i: [[0; 3]; 4], q: [[0; 3]; 4] }
-    }
 }
 
 impl NccTable {

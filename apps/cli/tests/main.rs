@@ -1,0 +1,176 @@
+//! The program and the C library as a user meets them: examples compiled by
+//! the system's C compiler, run, recorded and replayed.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn fillrate() -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_fillrate"));
+    // Settings of the person who runs the tests must not reach them.
+    for (name, _) in std::env::vars() {
+        if ["FILLRATE_", "FX_GLIDE_", "SST_"].iter().any(|prefix| name.starts_with(prefix)) {
+            command.env_remove(name);
+        }
+    }
+    command.current_dir(root());
+    command
+}
+
+fn run(command: &mut Command) -> Output {
+    let output = command.output().expect("the program starts");
+    assert!(
+        output.status.success(),
+        "{command:?}: {}\n{}",
+        output.status,
+        String::from_utf8_lossy(&output.stderr)
+    );
+    output
+}
+
+/// The folder of the library that was built with this test.
+fn library_folder() -> PathBuf {
+    let program = Path::new(env!("CARGO_BIN_EXE_fillrate"));
+    program.parent().expect("a program has a folder").join("deps")
+}
+
+/// Hash of every scene of the gallery, drawn with these variables.
+fn gallery(variables: &[(&str, String)]) -> BTreeMap<String, String> {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let mut command = fillrate();
+    command.args(["demo", "--json", "--out"]).arg(folder.path());
+    let output = run(command.envs(variables.iter().map(|(n, v)| (*n, v.as_str()))));
+    String::from_utf8_lossy(&output.stdout)
+        .lines()
+        .filter_map(|line| serde_json::from_str::<serde_json::Value>(line).ok())
+        .map(|scene| {
+            let text = |key: &str| scene[key].as_str().unwrap_or_default().to_string();
+            (text("name"), text("hash"))
+        })
+        .collect()
+}
+
+/// Every scene's hash is the one kept; `BLESS=1` keeps the present ones.
+#[test]
+fn gallery_is_as_it_was() {
+    let file = root().join("tests/golden/gallery.json");
+    let drawn = gallery(&[]);
+    assert!(drawn.len() >= 20, "{drawn:?}");
+    if std::env::var_os("BLESS").is_some() {
+        let text = serde_json::to_string_pretty(&drawn).expect("hashes are text");
+        std::fs::write(&file, text + "\n").expect("the golden file can be written");
+    }
+    let kept = std::fs::read_to_string(&file).expect("the golden file exists");
+    let kept: BTreeMap<String, String> = serde_json::from_str(&kept).expect("it is JSON");
+    assert_eq!(drawn, kept);
+}
+
+/// One hash a scene over levels, thread counts and tile sizes: a part of the
+/// combinations, all of them with `FILLRATE_FULL=1`.
+#[test]
+fn gallery_is_the_same_everywhere() {
+    let full = std::env::var_os("FILLRATE_FULL").is_some();
+    let expected = gallery(&[]);
+    let (threads, tiles) = ([1, 2, 3, 8], [32, 128]);
+    for (i, level) in fillrate_simd::Level::available().enumerate() {
+        let all = threads.into_iter().flat_map(|n| tiles.map(|t| (n, t)));
+        for (j, (threads, tile)) in all.enumerate() {
+            if !full && j != (i * 3) % 8 {
+                continue;
+            }
+            let settings = [
+                ("FILLRATE_SIMD", level.to_string()),
+                ("FILLRATE_THREADS", threads.to_string()),
+                ("FILLRATE_TILE", tile.to_string()),
+            ];
+            assert_eq!(gallery(&settings), expected, "{settings:?}");
+        }
+    }
+}
+
+/// A recording of every example replays to the same hashes.
+#[test]
+fn recordings_replay_to_the_same_frames() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let examples = root().join("examples/glide");
+    let mut count = 0;
+    for entry in std::fs::read_dir(examples).expect("examples exist") {
+        let file = entry.expect("a file").path();
+        if file.extension().is_none_or(|extension| extension != "c") {
+            continue;
+        }
+        let program = folder.path().join(file.file_stem().expect("a name"));
+        run(Command::new("cc")
+            .args(["-std=c99", "-O2", "-I"])
+            .arg(root().join("include"))
+            .arg(&file)
+            .arg("-o")
+            .arg(&program)
+            .arg("-L")
+            .arg(library_folder())
+            .args(["-lglide2x", "-lm"]));
+        let trace = folder.path().join("trace");
+        run(fillrate()
+            .args(["run", "--frames", "8", "--trace"])
+            .arg(&trace)
+            .arg("--")
+            .arg(&program));
+        run(fillrate().arg("replay").arg(&trace));
+        count += 1;
+    }
+    assert!(count >= 20, "{count}");
+}
+
+/// Headers in every language mode, layouts, values, bad input: the scripts'
+/// own checks, against this library.
+#[test]
+fn c_programs_conform() {
+    let script = root().join("tests/c/headers.sh");
+    let output = run(Command::new("sh").arg(script).arg(library_folder()).current_dir(root()));
+    print!("{}", String::from_utf8_lossy(&output.stdout));
+}
+
+/// Wrong usage, bad files and missing programs end with their exit codes.
+#[test]
+fn exit_codes() {
+    let code = |arguments: &[&str]| {
+        fillrate().args(arguments).output().expect("the program starts").status.code()
+    };
+    assert_eq!(code(&["no-such-command"]), Some(2));
+    assert_eq!(code(&["bench", "--simd", "mmx"]), Some(2));
+    assert_eq!(code(&["replay", "Cargo.toml"]), Some(3));
+    assert_eq!(code(&["run", "--", "/no/such/program"]), Some(3));
+    assert_eq!(code(&["demo", "--only", "no-such-scene"]), Some(3));
+}
+
+/// The direction of dependencies: nothing on the left knows what is right.
+#[test]
+fn dependencies_point_one_way() {
+    let output = run(Command::new(env!("CARGO"))
+        .args(["metadata", "--format-version", "1", "--no-deps", "--offline"])
+        .current_dir(root()));
+    let metadata: serde_json::Value =
+        serde_json::from_slice(&output.stdout).expect("metadata is JSON");
+    let allowed: BTreeMap<&str, &[&str]> = BTreeMap::from([
+        ("fillrate-simd", &[][..]),
+        ("fillrate-call", &[]),
+        ("fillrate-guard", &[]),
+        ("fillrate-engine", &["fillrate-simd"]),
+        ("fillrate-glide", &["fillrate-engine", "fillrate-call"]),
+        ("fillrate-trace", &["fillrate-call"]),
+        ("fillrate-player", &["fillrate-call", "fillrate-trace"]),
+    ]);
+    for package in metadata["packages"].as_array().expect("packages") {
+        let name = package["name"].as_str().expect("a name");
+        let Some(allowed) = allowed.get(name) else { continue };
+        for dependency in package["dependencies"].as_array().expect("dependencies") {
+            let on = dependency["name"].as_str().expect("a name");
+            let internal = on.starts_with("fillrate-") && dependency["kind"].is_null();
+            assert!(!internal || allowed.contains(&on), "{name} must not depend on {on}");
+        }
+    }
+}
