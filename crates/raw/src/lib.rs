@@ -8,6 +8,8 @@
 //! Where the thesis documents an error of its own, [`Errata`] decides whether to keep it.
 #![forbid(unsafe_code)]
 
+pub mod call;
+pub mod client;
 pub mod color;
 pub mod device;
 mod errata;
@@ -16,6 +18,9 @@ pub mod framebuffer;
 pub mod matrix;
 pub mod observer;
 pub mod opcode;
+pub mod protocol;
+pub mod scenes;
+pub mod sim;
 pub mod stage;
 pub mod state;
 pub mod stream;

@@ -45,6 +45,11 @@ impl SceneReader {
         self.left == 0
     }
 
+    /// The parameters of the state command just reported.
+    pub fn last_params(&self) -> &[u32] {
+        &self.params
+    }
+
     /// Consumes one word; state commands are carried out on `state`.
     ///
     /// `offset` is the word's place in the stream, for messages.
@@ -91,6 +96,7 @@ impl SceneReader {
         let Some(op) = Opcode::in_scene_mode(word) else {
             return SceneEvent::Fault(StreamError::Opcode { word, offset, mode: "scene" });
         };
+        self.params.clear();
         if op.inputs() == 0 {
             return self.complete(op, state, errata);
         }
@@ -114,7 +120,6 @@ impl SceneReader {
                 SceneEvent::State(op)
             }
         };
-        self.params.clear();
         event
     }
 

@@ -94,6 +94,12 @@ impl Kernel {
         clock.set(self.now());
     }
 
+    /// Drops all tasks and events.
+    pub fn clear(&self) {
+        self.tasks.borrow_mut().clear();
+        self.queue.borrow_mut().clear();
+    }
+
     /// Runs until a task stops the kernel or nothing can go on.
     pub fn run(&self) -> Ended {
         self.stopped.set(false);

@@ -1,0 +1,5 @@
+//! Tests of the Raw pipeline against the thesis.
+
+mod common;
+mod fragments;
+mod parallel;
