@@ -2,12 +2,13 @@
 //! 16-tile machine it ran on.
 //!
 //! Reading order: [`opcode`] (what a host may say), [`stage`] (the four pipeline stages, each as a
-//! plain function), [`device`] (the single-tile reference renderer), then `sim` (the same stages
-//! on a grid of tiles with networks, tokens and caches) and `bench` (the published experiment).
+//! plain function), [`device`] (the single-tile reference renderer), then [`sim`] (the same stages
+//! on a grid of tiles with networks, tokens and caches) and [`bench`] (the published experiment).
 //!
 //! Where the thesis documents an error of its own, [`Errata`] decides whether to keep it.
 #![forbid(unsafe_code)]
 
+pub mod bench;
 pub mod call;
 pub mod client;
 pub mod color;

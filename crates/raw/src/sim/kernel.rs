@@ -36,6 +36,8 @@ pub struct Kernel {
     serial: Cell<u64>,
     queue: RefCell<BinaryHeap<Reverse<(u64, u64, TaskId)>>>,
     tasks: RefCell<Vec<Option<Task>>>,
+    /// When each task runs next; `u64::MAX` when nothing is planned.
+    alarms: RefCell<Vec<u64>>,
     killed: RefCell<Vec<TaskId>>,
     idle_events: Cell<u32>,
     stopped: Cell<bool>,
@@ -62,10 +64,22 @@ impl Kernel {
     }
 
     /// Runs the task at cycle `at`, or now if that has passed.
+    ///
+    /// A task has one alarm: if it will run earlier anyway, it looks around then and sets its alarm
+    /// again. Without this rule every early wake would leave one more event behind.
     pub fn wake(&self, id: TaskId, at: u64) {
+        let at = at.max(self.now());
+        let mut alarms = self.alarms.borrow_mut();
+        if alarms.len() <= id {
+            alarms.resize(id + 1, u64::MAX);
+        }
+        if alarms[id] <= at {
+            return;
+        }
+        alarms[id] = at;
         let serial = self.serial.get();
         self.serial.set(serial + 1);
-        self.queue.borrow_mut().push(Reverse((at.max(self.now()), serial, id)));
+        self.queue.borrow_mut().push(Reverse((at, serial, id)));
     }
 
     /// Notes that a word moved somewhere.
@@ -109,6 +123,10 @@ impl Kernel {
             let Some(Reverse((at, _, id))) = self.queue.borrow_mut().pop() else {
                 return Ended::Stuck;
             };
+            if self.alarms.borrow()[id] != at {
+                continue;
+            }
+            self.alarms.borrow_mut()[id] = u64::MAX;
             self.now.set(at);
             let idle = self.idle_events.get() + 1;
             self.idle_events.set(idle);

@@ -175,7 +175,16 @@ impl Stage1 {
                 Some(at) => self.m.k.wake(tile.task.get(), at),
                 None => link.notify(tile.task.get()),
             }
+            self.expect_letter();
             self.m.k.suspend().await;
+        }
+    }
+
+    /// Sets the alarm for a message that is still on its way.
+    fn expect_letter(&self) {
+        let letters = self.m.row0.mail[self.column].letters.borrow();
+        if let Some((at, _)) = letters.front() {
+            self.m.k.wake(self.tile().task.get(), *at);
         }
     }
 
@@ -332,6 +341,7 @@ impl Stage1 {
                 replies += 1;
             }
             if replies < m.columns {
+                self.expect_letter();
                 m.k.suspend().await;
                 self.tile().clock.set(self.tile().clock.get().max(m.k.now()));
             }

@@ -16,7 +16,12 @@ pub async fn handler(m: Rc<Machine>, column: usize) {
     let post = &m.tokens[column];
     loop {
         match post.incoming.get().filter(|(at, _)| *at <= m.k.now()) {
-            None => m.k.suspend().await,
+            None => {
+                if let Some((at, _)) = post.incoming.get() {
+                    m.k.wake(post.handler.get(), at);
+                }
+                m.k.suspend().await;
+            }
             Some((_, value)) => {
                 post.incoming.set(None);
                 let tile = m.tile(3, column);
