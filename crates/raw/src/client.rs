@@ -45,7 +45,9 @@ impl Client {
     pub fn call(&mut self, call: &Call) {
         let words = call.words(self.in_scene);
         match call {
-            Call::Init {} => *self = Self { records: self.take_records(), ..Self::new(self.errata) },
+            Call::Init {} => {
+                *self = Self { records: self.take_records(), ..Self::new(self.errata) }
+            }
             Call::BeginScene {} if !self.in_scene => self.begin_scene(),
             Call::EndScene {} if self.in_scene => self.end_scene(),
             Call::BeginPrim {} if self.in_scene => self.meta(Record::Prim),

@@ -147,9 +147,9 @@ impl Core {
             Opcode::ReadFb => replies.push(self.target.frame.read(address, p[2] != 0), 1),
             Opcode::WriteZ => self.target.depth.write(address, p[2] as i32),
             Opcode::ReadZ => replies.push(self.target.depth.read(address) as u32, 1),
-            Opcode::ReadFbBlock => self.read_block(address, p[3], replies, |target, a| {
-                target.frame.read(a, p[2] != 0)
-            }),
+            Opcode::ReadFbBlock => {
+                self.read_block(address, p[3], replies, |target, a| target.frame.read(a, p[2] != 0))
+            }
             Opcode::ReadZBlock => {
                 self.read_block(address, p[2], replies, |target, a| target.depth.read(a) as u32);
             }
@@ -356,8 +356,7 @@ impl<O: Observer> Device<O> {
     }
 
     fn block(&mut self, op: Opcode, index: u32, count: u32) {
-        self.mode =
-            if index < count { Mode::Block { op, index, count } } else { Mode::Command };
+        self.mode = if index < count { Mode::Block { op, index, count } } else { Mode::Command };
     }
 
     fn scene_word(&mut self, mut reader: Box<SceneReader>, word: u32) {
@@ -403,12 +402,10 @@ impl<O: Observer> Device<O> {
         let mut walker = Rasterizer::new(&stage2_view(prim, &errata), width, height, &errata);
         self.observer.setup(walker.needs());
         while let Some(fragment) = walker.next() {
-            let textured =
-                combine::process(&self.core.textures, &prim.info, &fragment, &errata);
+            let textured = combine::process(&self.core.textures, &prim.info, &fragment, &errata);
             self.observer.fragment(&prim.info, walker.take_work(), &textured);
             let drawn = &textured.fragment;
-            let outcome =
-                composite::process(&mut self.core.target, prim.info.mode, drawn, &errata);
+            let outcome = composite::process(&mut self.core.target, prim.info.mode, drawn, &errata);
             let address = self.core.target.frame.address(drawn.x, drawn.y);
             self.observer.composite(prim.info.mode, address, &outcome);
         }

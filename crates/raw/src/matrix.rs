@@ -142,7 +142,7 @@ pub fn tangent(angle: f32) -> f32 {
 /// are not finite or too large (beyond a million turns) to mean anything.
 pub fn sin_cos(angle: f64) -> (f64, f64) {
     use std::f64::consts::FRAC_PI_2;
-    if !(angle.abs() < 6.0e6) {
+    if angle.is_nan() || angle.abs() >= 6.0e6 {
         return (0.0, 1.0);
     }
     let turns = (angle / FRAC_PI_2).round();

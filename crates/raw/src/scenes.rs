@@ -77,7 +77,13 @@ pub fn pattern_model(scale: f32, angle: f32) -> matrix::Matrix {
 /// The 8x8 texture of the pattern: a face on yellow.
 pub fn face_texture() -> Vec<u32> {
     const FACE: [&[u8; 8]; 8] = [
-        b"........", b"........", b"..c..c..", b".k....k.", b".k....k.", b"..k..k..", b"...kk...",
+        b"........",
+        b"........",
+        b"..c..c..",
+        b".k....k.",
+        b".k....k.",
+        b"..k..k..",
+        b"...kk...",
         b"........",
     ];
     let texel = |c: &u8| match c {
@@ -91,8 +97,19 @@ pub fn face_texture() -> Vec<u32> {
 /// The thirteen overlapping triangles of the order test, inside an open scene.
 pub fn order_test(client: &mut Client) {
     const COLORS: [u32; 13] = [
-        0xff00_00ff, 0x00ff_00ff, 0x0000_ff88, 0xff00_ffff, 0xffff_00ff, 0x00ff_ff88, 0xffff_ff88,
-        0xff00_00ff, 0x00ff_00ff, 0x0000_ffff, 0xff00_ff88, 0xffff_0088, 0x00ff_ff88,
+        0xff00_00ff,
+        0x00ff_00ff,
+        0x0000_ff88,
+        0xff00_ffff,
+        0xffff_00ff,
+        0x00ff_ff88,
+        0xffff_ff88,
+        0xff00_00ff,
+        0x00ff_00ff,
+        0x0000_ffff,
+        0xff00_ff88,
+        0xffff_0088,
+        0x00ff_ff88,
     ];
     for (k, rgba) in COLORS.into_iter().enumerate() {
         let x = -0.8 + 0.1 * k as f32;
@@ -121,7 +138,17 @@ pub fn decal_texture() -> Vec<u32> {
     }
     for (x, y) in (2..7).flat_map(|x| (9..14).map(move |y| (x, y))) {
         let (ex, ey) = (x == 2 || x == 6, y == 9 || y == 13);
-        put(x, y, if ex && ey { 0x00ff_00ff } else if ex || ey { 0x0000_ffff } else { 0xffff_00ff });
+        put(
+            x,
+            y,
+            if ex && ey {
+                0x00ff_00ff
+            } else if ex || ey {
+                0x0000_ffff
+            } else {
+                0xffff_00ff
+            },
+        );
     }
     for (x, y) in (9..11).flat_map(|x| (9..13).map(move |y| (x, y))) {
         put(x, y, 0xffff_ff00);

@@ -66,7 +66,11 @@ impl SceneReader {
         self.left -= 1;
         let Some(op) = self.command else { return self.opcode(word, offset, state, errata) };
         self.params.push(word);
-        if self.params.len() == op.inputs() { self.complete(op, state, errata) } else { SceneEvent::More }
+        if self.params.len() == op.inputs() {
+            self.complete(op, state, errata)
+        } else {
+            SceneEvent::More
+        }
     }
 
     fn count_word(&mut self, count: u32, offset: u64, errata: &Errata) -> SceneEvent {
@@ -106,7 +110,7 @@ impl SceneReader {
 
     fn complete(&mut self, op: Opcode, state: &mut RenderState, errata: &Errata) -> SceneEvent {
         self.command = None;
-        let event = match op {
+        match op {
             Opcode::EndScene => {
                 self.ended = true;
                 SceneEvent::More
@@ -119,8 +123,7 @@ impl SceneReader {
                 state.execute(op, &self.params, errata);
                 SceneEvent::State(op)
             }
-        };
-        event
+        }
     }
 
     fn latch(&mut self, state: &RenderState) {

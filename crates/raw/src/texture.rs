@@ -88,7 +88,8 @@ impl TextureManager {
     pub fn allocate(&mut self, width: u32, height: u32) -> u32 {
         let need = u64::from(width) * u64::from(height);
         let slot = self.entries.iter().position(Option::is_none);
-        let (Some(id), true) = (slot, need > 0 && need.saturating_mul(4) <= u64::from(self.free)) else {
+        let (Some(id), true) = (slot, need > 0 && need.saturating_mul(4) <= u64::from(self.free))
+        else {
             return NO_TEXTURE;
         };
         let Some((rank, begin)) = self.find_gap(need as usize) else { return NO_TEXTURE };

@@ -1,7 +1,7 @@
 //! Running the matrix: each test on one tile and on the grid.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::vectors::{CHARTED, INNER, Inner, OUTER, Outer, SCALES, records};
 use crate::device::Config;
@@ -94,9 +94,7 @@ pub fn matrix() -> Vec<Test> {
 }
 
 fn tests(lines: impl Iterator<Item = (Outer, Inner)>) -> Vec<Test> {
-    lines
-        .flat_map(|(outer, inner)| SCALES.map(|scale| Test { outer, inner, scale }))
-        .collect()
+    lines.flat_map(|(outer, inner)| SCALES.map(|scale| Test { outer, inner, scale })).collect()
 }
 
 /// Runs one test on both builds.

@@ -95,8 +95,10 @@ impl Kernel {
     /// Gives the running task up until somebody wakes it. Wakes may be spurious.
     pub async fn suspend(&self) {
         let mut first = true;
-        std::future::poll_fn(move |_| if std::mem::take(&mut first) { Poll::Pending } else { Poll::Ready(()) })
-            .await;
+        std::future::poll_fn(move |_| {
+            if std::mem::take(&mut first) { Poll::Pending } else { Poll::Ready(()) }
+        })
+        .await;
     }
 
     /// Waits until the queue has reached the cycle in `clock`, which may move meanwhile.

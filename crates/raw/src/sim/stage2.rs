@@ -40,7 +40,8 @@ async fn draw(m: &Machine, column: usize, prim: &TransPrim) {
             charges::walk(costs, walker.take_work(), |burst| m.work(tile, burst));
             charges::cover(costs, needs, |burst| m.work(tile, burst));
             m.count(|c| c.frags += 1);
-            let follows = last.replace((fragment.x, fragment.y)) == Some((fragment.x.wrapping_sub(1), fragment.y));
+            let follows = last.replace((fragment.x, fragment.y))
+                == Some((fragment.x.wrapping_sub(1), fragment.y));
             let words = m.options.fragment_words(needs, follows);
             send(m, column, FragMessage::Frag(fragment), words).await;
         }

@@ -126,10 +126,9 @@ impl Stage4 {
         let ended = buffer.len() < room;
         let value = self.token(false).await;
         buffer.iter().for_each(|f| self.draw(f));
-        while !ended {
-            match self.fragment().await {
-                Some(fragment) => self.draw(&fragment),
-                None => break,
+        if !ended {
+            while let Some(fragment) = self.fragment().await {
+                self.draw(&fragment);
             }
         }
         self.give(value.wrapping_add(1)).await;

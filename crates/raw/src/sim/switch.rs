@@ -69,7 +69,7 @@ impl Switch {
         link.send(&self.m.k, self.task, &self.clock, word, 1).await;
     }
 
-    fn from_west(&self) -> &Link<u32> {
+    fn west_side(&self) -> &Link<u32> {
         match self.column {
             0 => &self.m.host,
             k => &self.m.row0.east[k - 1],
@@ -107,7 +107,7 @@ impl Switch {
                 SwitchState::Idle
             }
             SwitchState::Idle => {
-                self.take(self.from_west()).await;
+                self.take(self.west_side()).await;
                 SwitchState::Turn
             }
             SwitchState::Await => {
@@ -141,10 +141,10 @@ impl Switch {
     /// Routes one primitive from the west: blocks up to the zero count.
     async fn route(&self, to: &Link<u32>) {
         loop {
-            let count = self.take(self.from_west()).await;
+            let count = self.take(self.west_side()).await;
             self.put(to, count).await;
             for _ in 0..count {
-                let word = self.take(self.from_west()).await;
+                let word = self.take(self.west_side()).await;
                 self.put(to, word).await;
             }
             if count == 0 {

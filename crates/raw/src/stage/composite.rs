@@ -82,8 +82,7 @@ fn blend(target: &mut Target, address: u64, source: u32, outcome: &mut Outcome) 
     let each = [(target.pages.back(), Pages::BACK), (target.pages.front(), Pages::FRONT)];
     for (_, page) in each.into_iter().filter(|(selected, _)| *selected) {
         let below = target.frame.read(address, page.front());
-        let mixed =
-            color::per_channel(source, below, |s, d| mul(s, alpha) + mul(d, 255 - alpha));
+        let mixed = color::per_channel(source, below, |s, d| mul(s, alpha) + mul(d, 255 - alpha));
         target.frame.write(address, page, color::with_low(mixed, 0));
         outcome.page_reads += 1;
         outcome.page_writes += 1;

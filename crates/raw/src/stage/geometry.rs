@@ -195,10 +195,8 @@ mod tests {
 
     #[test]
     fn ambient_reflectance_reaches_the_primitive_only_when_correct() {
-        let input = [[0.0, 0.0], [0.5, 0.0], [0.0, 0.5]].map(|[x, y]| InputVertex {
-            position: [x, y, 0.0],
-            ..InputVertex::default()
-        });
+        let input = [[0.0, 0.0], [0.5, 0.0], [0.0, 0.5]]
+            .map(|[x, y]| InputVertex { position: [x, y, 0.0], ..InputVertex::default() });
         let mut state = RenderState { amb_reflect: 128, ..RenderState::default() };
         state.prim.amb_color = 0xffff_ff80;
         state.prim.mode.set_lit(1);

@@ -19,14 +19,13 @@ fn must_be_ordered(mode: ModeBits, vertices: &[InputVertex; 3], errata: &Errata)
     let all = |value| vertices.iter().all(|v| color::low(v.rgba) == value);
     let translucent = !all(0) && !all(255);
     let tm = mode.texmode();
-    let soft_texture = mode.tex_alpha() == alpha::SOFT
-        && (tm & 2 != 0 || (tm & 4 != 0 && translucent));
+    let soft_texture =
+        mode.tex_alpha() == alpha::SOFT && (tm & 2 != 0 || (tm & 4 != 0 && translucent));
     let soft_color = mode.col_alpha() == alpha::SOFT
         && translucent
         && matches!(tm, texmode::COLOR | texmode::BLEND | texmode::MODULATE);
     let decal = matches!(tm, texmode::TEXDECAL | texmode::COLDECAL)
-        && (mode.tex_alpha() == alpha::SOFT
-            || (mode.col_alpha() == alpha::SOFT && !all(255)));
+        && (mode.tex_alpha() == alpha::SOFT || (mode.col_alpha() == alpha::SOFT && !all(255)));
     mode.no_use_z() == 1
         || mode.no_write_z() == 1
         || soft_texture
@@ -84,7 +83,8 @@ mod tests {
     fn completes(numbers: &[u32], kinds: &str) -> bool {
         let mut left: Vec<_> = numbers.iter().copied().zip(kinds.chars()).collect();
         for token in 1..=numbers.len() as u32 {
-            let ready = |&(n, kind): &(u32, char)| if kind == 'I' { n == token } else { n <= token };
+            let ready =
+                |&(n, kind): &(u32, char)| if kind == 'I' { n == token } else { n <= token };
             let ordered = left.iter().position(|p| p.1 == 'I' && ready(p));
             let Some(at) = ordered.or_else(|| left.iter().position(ready)) else { return false };
             left.remove(at);

@@ -144,7 +144,10 @@ impl Bounds {
             return (0, 0);
         }
         if low > last {
-            return (if errata.box_clamp_moves { last } else { 1 }, if errata.box_clamp_moves { last } else { 0 });
+            return (
+                if errata.box_clamp_moves { last } else { 1 },
+                if errata.box_clamp_moves { last } else { 0 },
+            );
         }
         (low.max(0), high)
     }
@@ -262,9 +265,10 @@ impl Rasterizer {
     }
 
     fn covered(&self) -> bool {
-        self.edges.iter().zip(self.inclusive).all(|(edge, on_edge)| {
-            edge.value < 0.0 || (on_edge && edge.value == 0.0)
-        })
+        self.edges
+            .iter()
+            .zip(self.inclusive)
+            .all(|(edge, on_edge)| edge.value < 0.0 || (on_edge && edge.value == 0.0))
     }
 
     fn step_right(&mut self) {
@@ -379,7 +383,8 @@ fn flat_values(v: &[Vertex; 3], mode: ModeBits, needs: Interpolants, errata: &Er
     let average = |p: [f32; 3]| (p[0] * w[0] + p[1] * w[1] + p[2] * w[2]) / 3.0;
     let mut flat = Flat::default();
     if needs.flat_color {
-        let byte = |i: usize| channel(average(v.each_ref().map(|v| v.rgba[i])), errata.channels_wrap);
+        let byte =
+            |i: usize| channel(average(v.each_ref().map(|v| v.rgba[i])), errata.channels_wrap);
         let alpha = if mode.col_alpha() != 0 { byte(3) } else { 0 };
         flat.rgba = color::pack(byte(0), byte(1), byte(2), alpha);
     }
