@@ -1,0 +1,32 @@
+//! The MIT Raw 3D pipeline (2004): a slave renderer driven by command words, and a simulator of the
+//! 16-tile machine it ran on.
+//!
+//! Reading order: [`opcode`] (what a host may say), [`stage`] (the four pipeline stages, each as a
+//! plain function), [`device`] (the single-tile reference renderer), then [`sim`] (the same stages
+//! on a grid of tiles with networks, tokens and caches) and [`bench`] (the published experiment).
+//!
+//! Where the thesis documents an error of its own, [`Errata`] decides whether to keep it.
+#![forbid(unsafe_code)]
+
+pub mod bench;
+pub mod call;
+pub mod client;
+pub mod color;
+pub mod device;
+mod errata;
+mod error;
+pub mod framebuffer;
+pub mod matrix;
+pub mod observer;
+pub mod opcode;
+pub mod protocol;
+pub mod scenes;
+pub mod sim;
+pub mod stage;
+pub mod state;
+pub mod stream;
+pub mod texture;
+
+pub use device::{Config, Device};
+pub use errata::Errata;
+pub use error::StreamError;

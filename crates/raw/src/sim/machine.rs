@@ -1,0 +1,309 @@
+//! The machine the tasks share: tiles, paths, memories and counters.
+
+use std::cell::{Cell, RefCell};
+use std::collections::VecDeque;
+use std::rc::Rc;
+
+use super::Options;
+use super::cost::{Burst, Costs};
+use super::kernel::{Kernel, TaskId};
+use super::link::Link;
+use super::perf::Counters;
+use crate::device::Core;
+use crate::error::StreamError;
+use crate::stage::{Fragment, TransPrim, UntexFragment};
+use crate::state::{ModeBits, PrimInfo};
+
+/// From stage 1 to stage 2.
+pub enum PrimMessage {
+    /// A transformed primitive.
+    Prim(Box<TransPrim>),
+    /// A flush marker with the column it started from.
+    Flush(usize),
+}
+
+/// From stage 2 to stage 3.
+pub enum FragMessage {
+    /// A primitive begins.
+    Prim(PrimInfo),
+    /// A fragment of it.
+    Frag(UntexFragment),
+    /// It ends.
+    End,
+    /// A flush marker.
+    Flush(usize),
+}
+
+/// From stage 3 to stage 4.
+pub enum PixelMessage {
+    /// A primitive begins: mode and sequence number.
+    Prim(ModeBits, u32),
+    /// A fragment of it.
+    Frag(Fragment),
+    /// It ends.
+    End,
+    /// A flush marker.
+    Flush(usize),
+}
+
+/// What a task is waiting for, for the deadlock report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wait {
+    /// It has work.
+    Nothing,
+    /// A word from the tile with that number.
+    Words(usize),
+    /// A command word from the west.
+    Commands,
+    /// Room on the way to the tile with that number.
+    Room(usize),
+    /// The token, with at least or exactly that value.
+    Token(u32),
+    /// Replies to a flush.
+    FlushReplies,
+}
+
+/// A processor: its clock, its account and what holds it up.
+pub struct Tile {
+    /// The task of its program.
+    pub task: Cell<TaskId>,
+    /// Its own time, at or ahead of the queue's.
+    pub clock: Cell<u64>,
+    /// Active cycles in hundredths.
+    pub active: Cell<u64>,
+    /// What it waits for.
+    pub wait: Cell<Wait>,
+}
+
+impl Default for Tile {
+    fn default() -> Self {
+        Self {
+            task: Cell::new(usize::MAX),
+            clock: Cell::new(0),
+            active: Cell::new(0),
+            wait: Cell::new(Wait::Nothing),
+        }
+    }
+}
+
+/// Words that arrive by the dynamic network, each with its cycle.
+#[derive(Default)]
+pub struct Mailbox {
+    /// Arrival cycle and word, in order of sending.
+    pub letters: RefCell<VecDeque<(u64, u32)>>,
+}
+
+/// The token side of a stage-4 tile: what the interrupt handler and the program share.
+#[derive(Default)]
+pub struct TokenPost {
+    /// The program wants the token (`taketurn` in the listing).
+    pub wanted: Cell<bool>,
+    /// The token, when the handler has kept it.
+    pub granted: Cell<Option<u32>>,
+    /// The token on its way here: arrival after the handler's work, and value.
+    pub incoming: Cell<Option<(u64, u32)>>,
+    /// The handler's task.
+    pub handler: Cell<TaskId>,
+}
+
+/// Row 0: the switches of stage 1 and their paths.
+pub struct Row0 {
+    /// From column k to k+1.
+    pub east: Vec<Link<u32>>,
+    /// From column k+1 to k.
+    pub west: Vec<Link<u32>>,
+    /// From switch to processor.
+    pub to_proc: Vec<Link<u32>>,
+    /// From processor to switch.
+    pub from_proc: Vec<Link<u32>>,
+    /// The processor of that column is ready for a primitive.
+    pub ready: Vec<Cell<bool>>,
+    /// The column whose switch takes words from the host, for the checks.
+    pub active: Cell<Option<usize>>,
+    /// Tasks of the switches while a scene is open.
+    pub tasks: RefCell<Vec<TaskId>>,
+    /// The first switch, asleep because every processor is busy.
+    pub sleeping_offer: Cell<Option<TaskId>>,
+    /// Flush and end-of-scene messages and replies.
+    pub mail: Vec<Mailbox>,
+}
+
+/// Everything.
+pub struct Machine {
+    /// The event queue.
+    pub k: Kernel,
+    /// Pipelines.
+    pub columns: usize,
+    /// The cost table.
+    pub costs: Costs,
+    /// Switches of the model.
+    pub options: Options,
+    /// State, textures and buffers.
+    pub core: RefCell<Core>,
+    /// Tiles, stage by stage.
+    pub tiles: Vec<Tile>,
+    /// From the host.
+    pub host: Link<u32>,
+    /// To the host.
+    pub device: Link<u32>,
+    /// Stage 1's row.
+    pub row0: Row0,
+    /// Stage 1 to 2.
+    pub prims: Vec<Link<PrimMessage>>,
+    /// Stage 2 to 3.
+    pub frags: Vec<Link<FragMessage>>,
+    /// Stage 3 to 4.
+    pub pixels: Vec<Link<PixelMessage>>,
+    /// Tokens of stage 4.
+    pub tokens: Vec<TokenPost>,
+    /// When the memory port of each row is free again.
+    pub ports: [Cell<u64>; 4],
+    /// Counting is on, and a scene is open.
+    pub counting: Cell<bool>,
+    /// The counters.
+    pub counters: RefCell<Counters>,
+    /// Faults in the stream.
+    pub faults: RefCell<Vec<StreamError>>,
+    /// Primitives in the order of their numbers: column and sequence number.
+    pub accepted: RefCell<Vec<(usize, u32)>>,
+}
+
+impl Machine {
+    /// A machine at rest.
+    pub fn new(core: Core, costs: Costs, options: Options) -> Rc<Self> {
+        let columns = options.columns;
+        let (room, latency) = (costs.path_words, u64::from(costs.path_latency));
+        let short = || (0..columns).map(|_| Link::new(4, 1)).collect::<Vec<_>>();
+        Rc::new(Self {
+            k: Kernel::default(),
+            columns,
+            core: RefCell::new(core),
+            tiles: (0..4 * columns).map(|_| Tile::default()).collect(),
+            host: Link::new(4, 1),
+            device: Link::new(16, 1),
+            row0: Row0 {
+                east: short(),
+                west: short(),
+                to_proc: short(),
+                from_proc: short(),
+                ready: (0..columns).map(|_| Cell::new(true)).collect(),
+                active: Cell::new(None),
+                tasks: RefCell::default(),
+                sleeping_offer: Cell::new(None),
+                mail: (0..columns).map(|_| Mailbox::default()).collect(),
+            },
+            prims: (0..columns).map(|_| Link::new(room, latency)).collect(),
+            frags: (0..columns).map(|_| Link::new(room, latency)).collect(),
+            pixels: (0..columns).map(|_| Link::new(room, latency)).collect(),
+            tokens: (0..columns).map(|_| TokenPost::default()).collect(),
+            ports: Default::default(),
+            counting: Cell::new(false),
+            counters: RefCell::default(),
+            faults: RefCell::default(),
+            accepted: RefCell::default(),
+            costs,
+            options,
+        })
+    }
+
+    /// The number of the tile of a stage, 0..=3, in a column.
+    pub fn tile_number(&self, stage: usize, column: usize) -> usize {
+        stage * self.columns + column
+    }
+
+    /// A tile.
+    pub fn tile(&self, stage: usize, column: usize) -> &Tile {
+        &self.tiles[self.tile_number(stage, column)]
+    }
+
+    /// Lets a tile work.
+    pub fn work(&self, tile: &Tile, burst: Burst) {
+        tile.clock.set(tile.clock.get() + u64::from(burst.cycles));
+        self.account(tile, u64::from(burst.cycles) * u64::from(burst.active));
+    }
+
+    /// Counts active cycles, in hundredths, without letting time pass.
+    pub fn account(&self, tile: &Tile, hundredths: u64) {
+        if self.counting.get() {
+            tile.active.set(tile.active.get() + hundredths);
+        }
+    }
+
+    /// Lets a tile fetch a line through the memory port of its row.
+    pub fn fetch_line(&self, tile: &Tile, row: usize, latency: u32) {
+        let start = tile.clock.get().max(self.ports[row].get());
+        self.ports[row].set(start + u64::from(self.costs.port));
+        tile.clock.set(start + u64::from(latency));
+    }
+
+    /// Adds to the counters while counting is on.
+    pub fn count(&self, add: impl FnOnce(&mut Counters)) {
+        if self.counting.get() {
+            add(&mut self.counters.borrow_mut());
+        }
+    }
+
+    /// Waits until the queue has reached the tile's clock.
+    pub async fn catch_up(&self, tile: &Tile) {
+        self.k.catch_up(tile.task.get(), &tile.clock).await;
+    }
+
+    /// Receives a packet on a static path; each word costs an active cycle.
+    pub async fn receive<T>(&self, tile: &Tile, link: &Link<T>, wait: Wait) -> T {
+        tile.wait.set(wait);
+        let (packet, words) = link.receive(&self.k, tile.task.get(), &tile.clock).await;
+        tile.wait.set(Wait::Nothing);
+        self.account(tile, 100 * u64::from(words));
+        packet
+    }
+
+    /// Sends a packet of `words` words.
+    pub async fn send<T>(&self, tile: &Tile, link: &Link<T>, to: usize, packet: T, words: u32) {
+        tile.wait.set(Wait::Room(to));
+        link.send(&self.k, tile.task.get(), &tile.clock, packet, words).await;
+        tile.wait.set(Wait::Nothing);
+        self.account(tile, 100 * u64::from(words));
+    }
+
+    /// Cycles a one-word dynamic message takes between two places of the grid.
+    pub fn gdn_latency(&self, from: (usize, usize), to: (usize, usize)) -> u64 {
+        let hops = from.0.abs_diff(to.0) + from.1.abs_diff(to.1);
+        u64::from(self.costs.gdn_ends) + hops as u64 + 2
+    }
+
+    /// Posts a word to a stage-1 tile; `at` is the cycle of sending.
+    pub fn post(&self, at: u64, from: (usize, usize), column: usize, word: u32) {
+        let arrival = at + self.gdn_latency(from, (0, column));
+        self.row0.mail[column].letters.borrow_mut().push_back((arrival, word));
+        self.k.wake(self.tile(0, column).task.get(), arrival);
+        self.k.progress();
+    }
+
+    /// Sends the token from a stage-4 tile to the next at the current cycle.
+    pub fn pass_token(&self, from: usize, value: u32) {
+        let to = (from + 1) % self.columns;
+        let handled = u64::from(self.costs.interrupt);
+        let arrival = self.k.now() + self.gdn_latency((3, from), (3, to)) + handled;
+        let post = &self.tokens[to];
+        post.incoming.set(Some((arrival, value)));
+        self.k.wake(post.handler.get(), arrival);
+    }
+
+    /// Says who waits for whom.
+    pub fn waits(&self) -> String {
+        let mut lines = String::new();
+        for (number, tile) in self.tiles.iter().enumerate() {
+            let stage = number / self.columns + 1;
+            let text = match tile.wait.get() {
+                Wait::Nothing => continue,
+                Wait::Words(from) => format!("a word from tile {from}"),
+                Wait::Commands => "a command word from the west".to_owned(),
+                Wait::Room(to) => format!("room on the way to tile {to}"),
+                Wait::Token(value) => format!("the token to reach {value}"),
+                Wait::FlushReplies => "replies to its flush".to_owned(),
+            };
+            lines += &format!("tile {number} (stage {stage}) waits for {text}\n");
+        }
+        lines
+    }
+}

@@ -1,0 +1,85 @@
+//! Switches of the model: the size of the grid, and what chapter 6 of the thesis would improve.
+
+use crate::stage::raster::Interpolants;
+use crate::state::ModeBits;
+
+/// How the modelled machine differs from the one of the thesis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Pipelines side by side; the thesis has four.
+    pub columns: usize,
+    /// Stage 1 lets the next tile start before it transforms its primitive: the late fix of the
+    /// thesis. Off, it is the "unfixed" stage 1.
+    pub early_release: bool,
+    /// State changes go from tile to tile instead of through memory.
+    pub direct_state: bool,
+    /// Only the fields a mode needs are sent.
+    pub minimal_messages: bool,
+    /// A fragment right of the one before it does not carry its coordinates.
+    pub implicit_coordinates: bool,
+    /// Depths are invalidated and flushed once per burst instead of once per pixel.
+    pub z_once_per_burst: bool,
+    /// Ordered primitives are buffered while they wait for their turn.
+    pub buffer_ordered: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            columns: 4,
+            early_release: true,
+            direct_state: false,
+            minimal_messages: false,
+            implicit_coordinates: false,
+            z_once_per_burst: false,
+            buffer_ordered: false,
+        }
+    }
+}
+
+impl Options {
+    /// Words of a primitive from stage 1 to 2; `full` without savings.
+    pub(super) fn prim_words(&self, mode: ModeBits, full: u32) -> u32 {
+        if !self.minimal_messages {
+            return full;
+        }
+        // Header, tag, mode and number, then position and 1/w, and what the mode interpolates.
+        let needs = Interpolants::of(mode);
+        let color = if mode.uses_color() { 4 } else { 0 };
+        let uv = if needs.uv { 2 } else { 0 };
+        4 + 3 * (4 + color + uv + u32::from(mode.uses_intensity())) + self.info_words(mode, 8)
+    }
+
+    /// Words of the primitive's state; `full` without savings.
+    pub(super) fn info_words(&self, mode: ModeBits, full: u32) -> u32 {
+        if !self.minimal_messages {
+            return full;
+        }
+        3 + u32::from(mode.uses_texture()) + 2 * mode.lit()
+    }
+
+    /// Words of a fragment from stage 2 to 3: tag, place, depth, texture, colour, intensity.
+    pub(super) fn fragment_words(&self, needs: Interpolants, follows: bool) -> u32 {
+        let place = if self.implicit_coordinates && follows { 0 } else { 2 };
+        if !self.minimal_messages {
+            return 6 + place;
+        }
+        1 + place
+            + u32::from(needs.z)
+            + 2 * u32::from(needs.uv)
+            + u32::from(needs.color)
+            + u32::from(needs.intensity)
+    }
+
+    /// Words of a fragment from stage 3 to 4: tag, place, depth, colour.
+    pub(super) fn pixel_words(&self, mode: ModeBits, follows: bool) -> u32 {
+        let place = if self.implicit_coordinates && follows { 0 } else { 2 };
+        let depth = if self.minimal_messages && !mode.touches_z() { 0 } else { 1 };
+        2 + place + depth
+    }
+
+    /// Words stage 3 spends on telling its switch how much to route.
+    pub(super) fn switch_counts(&self) -> u32 {
+        if self.minimal_messages { 1 } else { 2 }
+    }
+}

@@ -1,0 +1,281 @@
+//! The program of a stage-4 tile and its interrupt handler: compositing under the token.
+//!
+//! Source: RAW, section 3.3.3 and the stage-4 listing.
+
+use std::rc::Rc;
+
+use super::charges;
+use super::cost::Burst;
+use super::machine::{Machine, PixelMessage, Tile, Wait};
+use crate::color;
+use crate::stage::{Fragment, composite};
+use crate::state::ModeBits;
+
+/// The interrupt handler of a column: keeps the token when the program wants it, else passes it on.
+pub async fn handler(m: Rc<Machine>, column: usize) {
+    let post = &m.tokens[column];
+    loop {
+        match post.incoming.get().filter(|(at, _)| *at <= m.k.now()) {
+            None => {
+                if let Some((at, _)) = post.incoming.get() {
+                    m.k.wake(post.handler.get(), at);
+                }
+                m.k.suspend().await;
+            }
+            Some((_, value)) => {
+                post.incoming.set(None);
+                let tile = m.tile(3, column);
+                if post.wanted.replace(false) {
+                    post.granted.set(Some(value));
+                    m.k.wake(tile.task.get(), m.k.now());
+                } else {
+                    // The handler takes its time from whatever the program is busy with.
+                    if tile.clock.get() > m.k.now() {
+                        tile.clock.set(tile.clock.get() + u64::from(m.costs.interrupt));
+                    }
+                    m.pass_token(column, value);
+                }
+            }
+        }
+    }
+}
+
+struct Stage4 {
+    m: Rc<Machine>,
+    column: usize,
+    mode: ModeBits,
+    seq: u32,
+    /// The depth line in the cache, when bursts share invalidation.
+    line: u64,
+}
+
+/// What a wait for input or token ended with.
+enum Arrival {
+    Input,
+    Token(u32),
+}
+
+/// Runs a stage-4 tile for good.
+pub async fn run(m: Rc<Machine>, column: usize) {
+    let mode = ModeBits::default();
+    let mut tile = Stage4 { m, column, mode, seq: 0, line: u64::MAX };
+    loop {
+        match tile.receive().await {
+            PixelMessage::Flush(from) => tile.answer_flush(from).await,
+            PixelMessage::Prim(mode, seq) => {
+                (tile.mode, tile.seq) = (mode, seq);
+                tile.primitive().await;
+            }
+            // Fragments and ends are read inside a primitive.
+            PixelMessage::Frag(_) | PixelMessage::End => {}
+        }
+    }
+}
+
+impl Stage4 {
+    fn tile(&self) -> &Tile {
+        self.m.tile(3, self.column)
+    }
+
+    async fn receive(&self) -> PixelMessage {
+        let above = self.m.tile_number(2, self.column);
+        self.m.receive(self.tile(), &self.m.pixels[self.column], Wait::Words(above)).await
+    }
+
+    /// The next fragment of the primitive, or `None` at its end.
+    async fn fragment(&self) -> Option<Fragment> {
+        match self.receive().await {
+            PixelMessage::Frag(fragment) => {
+                self.m.work(self.tile(), self.m.costs.s4.buffer);
+                Some(fragment)
+            }
+            _ => None,
+        }
+    }
+
+    async fn answer_flush(&self, from: usize) {
+        self.m.catch_up(self.tile()).await;
+        self.m.post(self.m.k.now(), (3, self.column), from, 0);
+    }
+
+    async fn primitive(&mut self) {
+        match self.fragment().await {
+            None => {
+                let value = self.token(true).await;
+                self.give(value.wrapping_add(1)).await;
+            }
+            Some(first) if self.mode.out_of_order() == 1 => self.unordered(first).await,
+            Some(first) => self.ordered(first).await,
+        }
+    }
+
+    async fn ordered(&mut self, first: Fragment) {
+        let mut next = Some(first);
+        // Buffering while waiting is an improvement the thesis suggests.
+        let room = if self.m.options.buffer_ordered { self.m.costs.s4.buffered } else { 1 };
+        let mut buffer = Vec::with_capacity(room);
+        while let Some(fragment) = next.take().filter(|_| buffer.len() < room) {
+            buffer.push(fragment);
+            if buffer.len() < room {
+                next = self.fragment().await;
+                if next.is_none() {
+                    break;
+                }
+            }
+        }
+        let ended = buffer.len() < room;
+        let value = self.token(false).await;
+        buffer.iter().for_each(|f| self.draw(f));
+        if !ended {
+            while let Some(fragment) = self.fragment().await {
+                self.draw(&fragment);
+            }
+        }
+        self.give(value.wrapping_add(1)).await;
+    }
+
+    async fn unordered(&mut self, first: Fragment) {
+        let mut next = Some(first);
+        let mut buffer = Vec::with_capacity(self.m.costs.s4.buffered);
+        while let Some(fragment) = next {
+            buffer.clear();
+            buffer.extend(Some(fragment).filter(visible));
+            let (token, ended) = self.fill(&mut buffer).await;
+            let value = match token {
+                Some(value) => value,
+                None => self.wait_token(true).await,
+            };
+            buffer.iter().for_each(|f| self.draw(f));
+            self.give(value.wrapping_add(u32::from(ended))).await;
+            next = if ended { None } else { self.fragment().await };
+            if !ended && next.is_none() {
+                // The end came after the token was given up: catch it once more.
+                let value = self.token(true).await;
+                self.give(value.wrapping_add(1)).await;
+            }
+        }
+    }
+
+    /// Buffers fragments until the buffer is full, the primitive ends or the token can be used.
+    /// Returns the token if it came, and whether the primitive has ended.
+    async fn fill(&self, buffer: &mut Vec<Fragment>) -> (Option<u32>, bool) {
+        self.want().await;
+        while buffer.len() < self.m.costs.s4.buffered {
+            match self.input_or_token(!buffer.is_empty()).await {
+                Arrival::Token(value) => return (Some(value), false),
+                Arrival::Input => match self.fragment().await {
+                    None => return (None, true),
+                    Some(fragment) => buffer.extend(Some(fragment).filter(visible)),
+                },
+            }
+        }
+        (None, false)
+    }
+
+    /// Waits for a word from above; accepts the token meanwhile if `usable` and its value allows.
+    async fn input_or_token(&self, usable: bool) -> Arrival {
+        let (tile, link) = (self.tile(), &self.m.pixels[self.column]);
+        if link.next_word().is_some_and(|at| at <= tile.clock.get()) {
+            return Arrival::Input;
+        }
+        tile.wait.set(Wait::Words(self.m.tile_number(2, self.column)));
+        loop {
+            self.m.catch_up(tile).await;
+            if let Some(value) = self.m.tokens[self.column].granted.take() {
+                if usable && value >= self.seq {
+                    tile.wait.set(Wait::Nothing);
+                    return Arrival::Token(value);
+                }
+                self.hand_on(value).await;
+            }
+            match link.next_word() {
+                Some(at) if at <= self.m.k.now() => {
+                    tile.wait.set(Wait::Nothing);
+                    return Arrival::Input;
+                }
+                Some(at) => self.m.k.wake(tile.task.get(), at),
+                None => link.notify(tile.task.get()),
+            }
+            self.m.k.suspend().await;
+            tile.clock.set(tile.clock.get().max(self.m.k.now()));
+        }
+    }
+
+    /// Asks the handler to keep the token when it comes.
+    async fn want(&self) {
+        self.m.catch_up(self.tile()).await;
+        self.m.tokens[self.column].wanted.set(true);
+    }
+
+    async fn hand_on(&self, value: u32) {
+        self.m.pass_token(self.column, value);
+        self.m.tokens[self.column].wanted.set(true);
+    }
+
+    /// Asks for the token and waits for it.
+    async fn token(&self, or_later: bool) -> u32 {
+        self.want().await;
+        self.wait_token(or_later).await
+    }
+
+    /// Waits until the token has this primitive's number, or a later one.
+    async fn wait_token(&self, or_later: bool) -> u32 {
+        let tile = self.tile();
+        tile.wait.set(Wait::Token(self.seq));
+        loop {
+            self.m.catch_up(tile).await;
+            if let Some(value) = self.m.tokens[self.column].granted.take() {
+                if value == self.seq || (or_later && value > self.seq) {
+                    tile.wait.set(Wait::Nothing);
+                    return value;
+                }
+                self.hand_on(value).await;
+            }
+            self.m.k.suspend().await;
+            tile.clock.set(tile.clock.get().max(self.m.k.now()));
+        }
+    }
+
+    /// Passes the token on.
+    async fn give(&mut self, value: u32) {
+        self.line = u64::MAX;
+        self.m.work(self.tile(), Burst::new(self.m.costs.s4.hand_over, 0));
+        self.m.catch_up(self.tile()).await;
+        self.m.pass_token(self.column, value);
+    }
+
+    /// Draws a fragment; the token is held.
+    fn draw(&mut self, fragment: &Fragment) {
+        if !visible(fragment) {
+            return;
+        }
+        let m = Rc::clone(&self.m);
+        let tile = m.tile(3, self.column);
+        let (outcome, address) = {
+            let mut core = m.core.borrow_mut();
+            let errata = core.config.errata;
+            let outcome = composite::process(&mut core.target, self.mode, fragment, &errata);
+            (outcome, core.target.frame.address(fragment.x, fragment.y))
+        };
+        m.work(tile, m.costs.s4.pixel);
+        charges::composite(&m.costs, &outcome, |burst| m.work(tile, burst));
+        if outcome.tested {
+            self.fetch_depth(tile, address / super::cache::LINE_WORDS);
+        }
+        m.work(tile, Burst::new(m.costs.s4.round_trip * outcome.page_reads, 0));
+        m.count(|c| c.pixels += u64::from(outcome.page_writes));
+    }
+
+    /// Every depth is invalidated before it is read, unless a burst shares one invalidation.
+    fn fetch_depth(&mut self, tile: &Tile, line: u64) {
+        let cached = self.m.options.z_once_per_burst && self.line == line;
+        if !cached {
+            self.m.fetch_line(tile, 3, self.m.costs.s4.z_miss);
+        }
+        self.line = line;
+    }
+}
+
+fn visible(fragment: &Fragment) -> bool {
+    color::low(fragment.rgba) != 0
+}

@@ -1,0 +1,7 @@
+//! Tests of the Raw pipeline against the thesis.
+
+mod common;
+mod distribution;
+mod experiment;
+mod fragments;
+mod parallel;
