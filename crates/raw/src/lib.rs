@@ -3,7 +3,7 @@
 //!
 //! Reading order: [`opcode`] (what a host may say), [`stage`] (the four pipeline stages, each as a
 //! plain function), [`device`] (the single-tile reference renderer), then [`sim`] (the same stages
-//! on a grid of tiles with networks, tokens and caches) and [`bench`] (the published experiment).
+//! on a grid of tiles with networks, tokens and caches) and [`mod@bench`] (the published experiment).
 //!
 //! Where the thesis documents an error of its own, [`Errata`] decides whether to keep it.
 #![forbid(unsafe_code)]
