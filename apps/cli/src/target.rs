@@ -27,7 +27,9 @@ impl Target for GlideTarget {
             return Err(format!("the trace holds calls of {api}, which cannot be replayed").into());
         }
         let card = meta.get("card").and_then(Card::by_name).unwrap_or_default();
-        let config = GlideConfig { device: self.device.clone(), card, ..GlideConfig::default() };
+        let boards = meta.get("boards").and_then(|boards| boards.parse().ok()).unwrap_or(1);
+        let device = self.device.clone();
+        let config = GlideConfig { device, card, boards, ..GlideConfig::default() };
         self.context = Some(Context::new(config)?);
         Ok(())
     }

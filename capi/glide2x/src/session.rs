@@ -9,6 +9,7 @@ use fillrate_glide::{Call, Context, GlideConfig, GrVertex, Report};
 use fillrate_trace::{FrameInfo, Meta, TraceWriter};
 
 use crate::capture::{Capture, frame_of};
+use crate::manager::Records;
 use crate::settings::Settings;
 
 /// The type of an error callback: message, and whether it is fatal.
@@ -30,6 +31,10 @@ pub struct Session {
     frames: u64,
     /// The program's callback.
     pub callback: ErrorCallback,
+    /// The buffers that the calls before 2.4 read and write.
+    pub old_buffers: [i32; 2],
+    /// Records of mip maps that the program holds pointers to.
+    pub records: Records,
 }
 
 static SESSION: LazyLock<Mutex<Session>> = LazyLock::new(|| Mutex::new(Session::new()));
@@ -105,7 +110,7 @@ fn tell_one(callback: ErrorCallback, report: &Report) {
 impl Session {
     fn new() -> Session {
         let settings = Settings::from_environment();
-        let card = settings.glide.card.name;
+        let (card, boards) = (settings.glide.card.name, settings.glide.boards);
         let context = Context::new(settings.glide).or_else(|error| {
             eprintln!("fillrate: {error}; the default board is used");
             Context::new(GlideConfig::default())
@@ -115,7 +120,7 @@ impl Session {
             capture.map_err(|error| eprintln!("fillrate: cannot capture frames: {error}")).ok()
         });
         let recorder = settings.trace.and_then(|file| {
-            let recorder = Recorder::new(&file, card);
+            let recorder = Recorder::new(&file, card, boards);
             recorder.map_err(|error| eprintln!("fillrate: cannot record: {error}")).ok()
         });
         if recorder.is_some() {
@@ -129,6 +134,8 @@ impl Session {
             exit_after: settings.exit_after,
             frames: 0,
             callback: None,
+            old_buffers: [1, 1],
+            records: Records::default(),
         }
     }
 
@@ -194,12 +201,17 @@ impl Session {
 }
 
 impl Recorder {
-    fn new(file: &std::path::Path, card: &str) -> Result<Recorder, Box<dyn std::error::Error>> {
+    fn new(
+        file: &std::path::Path,
+        card: &str,
+        boards: usize,
+    ) -> Result<Recorder, Box<dyn std::error::Error>> {
         let program = std::env::args().next().unwrap_or_default();
         let meta = Meta::new()
             .with("api", "glide2x")
             .with("program", program)
             .with("card", card)
+            .with("boards", boards.to_string())
             .with("creator", concat!("fillrate ", env!("CARGO_PKG_VERSION")));
         let writer = TraceWriter::new(BufWriter::new(File::create(file)?), &meta)?;
         Ok(Recorder { writer, encoder: Encoder::with_blobs() })
