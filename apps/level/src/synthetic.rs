@@ -375,7 +375,7 @@ fn brick(x: usize, y: usize) -> [u8; 4] {
 
 fn tile(x: usize, y: usize) -> [u8; 4] {
     let edge = x % 64 < 2 || y % 64 < 2;
-    let dark = (x / 64 + y / 64) % 2 == 0;
+    let dark = (x / 64 + y / 64).is_multiple_of(2);
     let base = if dark { [120.0, 120.0, 128.0] } else { [205.0, 200.0, 188.0] };
     shade(base, if edge { 0.5 } else { 0.85 + 0.15 * noise(x / 2, y / 2) })
 }
