@@ -1,32 +1,23 @@
 //! The one library of the process.
 
-use std::fs::File;
-use std::io::BufWriter;
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
-use fillrate_call::{Encoder, Value};
+use fillrate_capture::{FrameLog, Recorder};
 use fillrate_glide::{Call, Context, GlideConfig, GrVertex, Report};
-use fillrate_trace::{FrameInfo, Meta, TraceWriter};
 
-use crate::capture::{Capture, frame_of};
+use crate::capture::{drawn, frame_of};
 use crate::manager::Records;
 use crate::settings::Settings;
 
 /// The type of an error callback: message, and whether it is fatal.
 pub type ErrorCallback = Option<unsafe extern "C" fn(*const std::ffi::c_char, i32)>;
 
-/// Records calls.
-struct Recorder {
-    writer: TraceWriter<BufWriter<File>>,
-    encoder: Encoder,
-}
-
 /// The library and what listens to it.
 pub struct Session {
     /// The library itself.
     pub context: Context,
     recorder: Option<Recorder>,
-    capture: Option<Capture>,
+    capture: Option<FrameLog>,
     exit_after: Option<u64>,
     frames: u64,
     /// The program's callback.
@@ -116,11 +107,12 @@ impl Session {
             Context::new(GlideConfig::default())
         });
         let capture = settings.capture.and_then(|folder| {
-            let capture = Capture::new(folder, settings.every);
+            let capture = FrameLog::new(folder, settings.every);
             capture.map_err(|error| eprintln!("fillrate: cannot capture frames: {error}")).ok()
         });
         let recorder = settings.trace.and_then(|file| {
-            let recorder = Recorder::new(&file, card, boards);
+            let about = [("card", card), ("boards", &boards.to_string())];
+            let recorder = Recorder::new(&file, "glide2x", &about);
             recorder.map_err(|error| eprintln!("fillrate: cannot record: {error}")).ok()
         });
         if recorder.is_some() {
@@ -161,30 +153,25 @@ impl Session {
 
     fn note_frame(&mut self) {
         let Some(frame) = self.context.shown().and_then(frame_of) else { return };
-        let counters = self.context.counters();
+        let counters = drawn(&self.context.counters());
         if let Some(capture) = &mut self.capture
             && let Err(error) = capture.frame(self.frames, &frame, counters)
         {
             eprintln!("fillrate: frames are no longer captured: {error}");
             self.capture = None;
         }
-        if let Some(recorder) = &mut self.recorder {
-            let info = FrameInfo {
-                width: frame.width(),
-                height: frame.height(),
-                hash: Some(frame.hash()),
-            };
-            if let Err(error) = recorder.writer.end_frame(info) {
-                eprintln!("fillrate: recording stops: {error}");
-                self.recorder = None;
-            }
+        if let Some(recorder) = &mut self.recorder
+            && let Err(error) = recorder.frame(&frame)
+        {
+            eprintln!("fillrate: recording stops: {error}");
+            self.recorder = None;
         }
     }
 
     /// Ends the files.
     fn finish(&mut self) {
         if let Some(recorder) = &mut self.recorder
-            && let Err(error) = recorder.writer.flush()
+            && let Err(error) = recorder.flush()
         {
             eprintln!("fillrate: the trace is cut short: {error}");
         }
@@ -193,34 +180,10 @@ impl Session {
     /// Ends the trace for good.
     fn end_trace(&mut self) {
         if let Some(recorder) = self.recorder.take()
-            && let Err(error) = recorder.writer.finish()
+            && let Err(error) = recorder.finish()
         {
             eprintln!("fillrate: the trace is cut short: {error}");
         }
-    }
-}
-
-impl Recorder {
-    fn new(
-        file: &std::path::Path,
-        card: &str,
-        boards: usize,
-    ) -> Result<Recorder, Box<dyn std::error::Error>> {
-        let program = std::env::args().next().unwrap_or_default();
-        let meta = Meta::new()
-            .with("api", "glide2x")
-            .with("program", program)
-            .with("card", card)
-            .with("boards", boards.to_string())
-            .with("creator", concat!("fillrate ", env!("CARGO_PKG_VERSION")));
-        let writer = TraceWriter::new(BufWriter::new(File::create(file)?), &meta)?;
-        Ok(Recorder { writer, encoder: Encoder::with_blobs() })
-    }
-
-    fn record(&mut self, call: &Call) -> Result<(), fillrate_trace::TraceError> {
-        self.encoder.clear();
-        call.encode(&mut self.encoder);
-        self.writer.record_encoded(&mut self.encoder)
     }
 }
 

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+use fillrate_capture::{number, variable};
 use fillrate_engine::DeviceConfig;
 use fillrate_engine::target::TileSize;
 use fillrate_glide::GlideConfig;
@@ -21,22 +22,6 @@ pub struct Settings {
     pub every: u64,
     /// End the program after so many swaps.
     pub exit_after: Option<u64>,
-}
-
-/// A variable's value, parsed; a bad one is told of and not used.
-fn variable<T>(name: &str, parse: impl FnOnce(&str) -> Result<T, String>) -> Option<T> {
-    let text = std::env::var(name).ok()?;
-    match parse(&text) {
-        Ok(value) => Some(value),
-        Err(problem) => {
-            eprintln!("fillrate: {name}={text} is not used: {problem}");
-            None
-        }
-    }
-}
-
-fn number(text: &str) -> Result<u64, String> {
-    text.parse().map_err(|_| "it is not a number".to_string())
 }
 
 fn card(name: &str) -> Result<Card, String> {
