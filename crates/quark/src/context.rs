@@ -47,6 +47,11 @@ impl Context {
         self.gpus.get_mut(&gpu)
     }
 
+    /// A texture.
+    pub fn texture(&self, texture: u32) -> Option<&Arc<Texture>> {
+        self.textures.get(&texture)
+    }
+
     /// The state that a value means.
     pub fn state(&self, value: &StateValue) -> RasterState {
         RasterState {

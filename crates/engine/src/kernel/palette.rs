@@ -245,12 +245,11 @@ impl<'a, const SOURCE: u8> StampPainter<'a, SOURCE> {
             }
             Texels::Perspective { planes, exact: false } if SOURCE == source::PERSPECTIVE => {
                 let mut columns = [[0; STAMP]; 2];
-                for i in j..j + S::LANES {
-                    let (x, y) = (x + (i & 3) as i32, y + (i >> 2) as i32);
-                    let w = planes[2].at(x, y);
-                    for axis in 0..2 {
-                        let over = planes[axis].at(x, y);
-                        columns[axis][i] = quotient(over, w, self.sampler.bits[axis]);
+                for (axis, columns) in columns.iter_mut().enumerate() {
+                    for (i, column) in columns.iter_mut().enumerate().skip(j).take(S::LANES) {
+                        let (x, y) = (x + (i & 3) as i32, y + (i >> 2) as i32);
+                        let (over, w) = (planes[axis].at(x, y), planes[2].at(x, y));
+                        *column = quotient(over, w, self.sampler.bits[axis]);
                     }
                 }
                 self.sampler.fetch(s, s.load(&columns[0][j..]), s.load(&columns[1][j..]))

@@ -308,7 +308,7 @@ impl Planes {
     }
 
     /// A plane from its value at the reference pixel and its gradients.
-    fn from_reference(&self, [value, dx, dy]: [i64; 3]) -> Plane64 {
+    fn plane_from(&self, [value, dx, dy]: [i64; 3]) -> Plane64 {
         let [x, y] = self.reference;
         let c = value.wrapping_sub(dx.wrapping_mul(x)).wrapping_sub(dy.wrapping_mul(y));
         Plane64 { c, dx, dy }
@@ -317,7 +317,7 @@ impl Planes {
     /// The low 32 bits of a plane. Values at covered fragments fit, so that
     /// wrapping on the way there does no harm.
     fn plane32(&self, corners: [i64; 3], add: i64) -> Plane32 {
-        let Plane64 { c, dx, dy } = self.from_reference(self.solve(corners));
+        let Plane64 { c, dx, dy } = self.plane_from(self.solve(corners));
         Plane32 { c: c.wrapping_add(add) as i32, dx: dx as i32, dy: dy as i32 }
     }
 
@@ -326,7 +326,7 @@ impl Planes {
         let solved = self.solve(corners);
         let [value, dx, dy] = solved.map(|n| (n as f64).abs());
         let most = value + dx * self.extent[0] + dy * self.extent[1];
-        (self.from_reference(solved), most < (1u64 << 52) as f64)
+        (self.plane_from(solved), most < (1u64 << 52) as f64)
     }
 }
 

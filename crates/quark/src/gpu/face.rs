@@ -50,9 +50,8 @@ fn affine_error(corners: &[Vertex; 3]) -> i64 {
 impl Gpu {
     /// Draws a triangle given on the screen, by the triangle state and mode.
     pub fn draw_triangle(&mut self, a: &Vertex, b: &Vertex, c: &Vertex) {
-        let (Some(state), Some(mode)) = (self.triangle_state.take(), self.triangle_mode) else {
-            return;
-        };
+        let Some(mode) = self.triangle_mode else { return };
+        let Some(state) = self.triangle_state.take() else { return };
         let brush = self.brush(&state, mode);
         self.face(&brush, state.draw_color, &[*a, *b, *c]);
         self.triangle_state = Some(state);

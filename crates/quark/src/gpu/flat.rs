@@ -78,7 +78,7 @@ impl Gpu {
             return;
         };
         let sides = [texture.width(), texture.height()];
-        let counts = sides.map(|side| (i64::from(side) * i64::from(scale) >> 8).max(1));
+        let counts = sides.map(|side| ((i64::from(side) * i64::from(scale)) >> 8).max(1));
         let area = Area {
             at: [x, y],
             size: counts.map(limited),

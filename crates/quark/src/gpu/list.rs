@@ -219,7 +219,7 @@ fn crossing(a: &Corner, b: &Corner, camera: &Camera) -> Corner {
     let (from, to) = (i64::from(a.at.world[2]), i64::from(b.at.world[2]));
     let t = ((i64::from(camera.near) - from) << 16) / (to - from).max(1);
     let mix = |a: i32, b: i32| {
-        let moved = (i64::from(b) - i64::from(a)) * t >> 16;
+        let moved = ((i64::from(b) - i64::from(a)) * t) >> 16;
         (i64::from(a) + moved) as i32
     };
     let [x, y] = [0, 1].map(|k| mix(a.at.world[k], b.at.world[k]));
