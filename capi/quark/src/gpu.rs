@@ -101,7 +101,8 @@ impl Session {
             frame_buffer: frame.as_ref().map_or(std::ptr::null_mut(), |frame| frame.block),
             zc_error_max: 0,
         };
-        let known = KnownGpu { frame, ..KnownGpu::new(number, &raw) };
+        let mut known = KnownGpu::new(number, &raw);
+        known.frame = frame;
         self.gpus.insert(address, known);
         Some(raw)
     }

@@ -171,7 +171,7 @@ fn lines() {
             gpu.draw_line(a, b);
         },
         |reference, (mode, color, intensity, a, b)| {
-            let color = u32::from(*color) | u32::from(*intensity) / 8 * 256;
+            let color = u32::from(*color) + u32::from(*intensity) / 8 * 256;
             reference.line(*mode, color, *a, *b);
         },
     );

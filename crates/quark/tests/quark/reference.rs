@@ -196,7 +196,7 @@ impl Reference {
             for x in x0.max(0)..(x0 + size[0]).min(self.width) {
                 let (column, row) = (((x - x0) * step[0]) >> 16, ((y - y0) * step[1]) >> 16);
                 let texel = texture.texels()[(row * sides[0] + column) as usize];
-                let color = u32::from(texel) | u32::from(state.draw_intensity) / 8 * 256;
+                let color = u32::from(texel) + u32::from(state.draw_intensity) / 8 * 256;
                 let fragment = Fragment { depth: distance.map_or(0, inverse_z) as u32, color };
                 let is_key = texture.is_keyed() && texel == 0;
                 self.fragment((x, y), state.draw_mode, depth, is_key, fragment);
@@ -232,7 +232,7 @@ impl Reference {
         for i in 0..3 {
             let (a, b) = (&corners[i], &corners[(i + 1) % 3]);
             let mean = (i64::from(a.i) + i64::from(b.i)).div_euclid(2).clamp(0, 255) as u32;
-            let color = u32::from(state.draw_color) | mean / 8 * 256;
+            let color = u32::from(state.draw_color) + mean / 8 * 256;
             self.line(state.draw_mode, color, [a.x, a.y, a.z], [b.x, b.y, b.z]);
         }
     }
@@ -289,7 +289,7 @@ impl Reference {
                 let light = (light.at(x, y) >> 16).clamp(0, 255) as u32;
                 let fragment = Fragment {
                     depth: ((depth.at(x, y) + 0x8000) >> 16) as u32,
-                    color: base | light / 8 * 256,
+                    color: base + light / 8 * 256,
                 };
                 self.fragment((x, y), state.draw_mode, Depth::Tested, is_key, fragment);
             }
