@@ -6,6 +6,7 @@ use fillrate_glide::card::Card;
 use fillrate_glide::{Call, Context, GlideConfig};
 use fillrate_player::{Frame, Pixels, Target, TargetError};
 use fillrate_trace::Meta;
+use fillrate_trace::meta::CONFIG_PREFIX;
 
 /// Executes recorded Glide calls.
 #[derive(Debug)]
@@ -26,8 +27,15 @@ impl Target for GlideTarget {
         if let Some(api) = meta.get("api").filter(|&api| api != "glide2x") {
             return Err(format!("the trace holds calls of {api}, which cannot be replayed").into());
         }
-        let card = meta.get("card").and_then(Card::by_name).unwrap_or_default();
-        let config = GlideConfig { device: self.device.clone(), card, ..GlideConfig::default() };
+        let pairs = meta.iter().filter_map(|(key, value)| {
+            Some((key.strip_prefix(CONFIG_PREFIX)?.to_string(), value.to_string()))
+        });
+        let mut config = GlideConfig::from_description(pairs);
+        // Traces of earlier versions name a built-in board.
+        if let Some(card) = meta.get("card").and_then(Card::by_name) {
+            config.card = card;
+        }
+        config.device = self.device.clone();
         self.context = Some(Context::new(config)?);
         Ok(())
     }

@@ -1,6 +1,8 @@
 //! The program and the C library as a user meets them: examples compiled by
 //! the system's C compiler, run, recorded and replayed.
 
+mod card;
+
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -17,6 +19,8 @@ fn fillrate() -> Command {
             command.env_remove(name);
         }
     }
+    // An older library may lie beside the program.
+    command.env("FILLRATE_LIB_DIR", library_folder());
     command.current_dir(root());
     command
 }
@@ -161,6 +165,7 @@ fn dependencies_point_one_way() {
         ("fillrate-guard", &[]),
         ("fillrate-engine", &["fillrate-simd"]),
         ("fillrate-glide", &["fillrate-engine", "fillrate-call"]),
+        ("fillrate-settings", &["fillrate-glide", "fillrate-engine", "fillrate-simd"]),
         ("fillrate-trace", &["fillrate-call"]),
         ("fillrate-player", &["fillrate-call", "fillrate-trace"]),
     ]);

@@ -10,7 +10,6 @@ mod draw;
 mod library;
 mod linear;
 mod session;
-mod settings;
 mod state;
 mod texture;
 mod utility;

@@ -6,10 +6,11 @@ use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
 use fillrate_call::{Encoder, Value};
 use fillrate_glide::{Call, Context, GlideConfig, GrVertex, Report};
+use fillrate_trace::meta::CONFIG_PREFIX;
 use fillrate_trace::{FrameInfo, Meta, TraceWriter};
 
 use crate::capture::{Capture, frame_of};
-use crate::settings::Settings;
+use fillrate_settings::Settings;
 
 /// The type of an error callback: message, and whether it is fatal.
 pub type ErrorCallback = Option<unsafe extern "C" fn(*const std::ffi::c_char, i32)>;
@@ -43,8 +44,10 @@ pub fn session() -> MutexGuard<'static, Session> {
 pub fn call(call: Call) -> u32 {
     let mut session = session();
     session.record(&call);
+    let swaps = session.context.swaps();
     let result = session.context.execute(&call);
-    if let Call::GrBufferSwap { .. } = call {
+    // A register write can swap, too.
+    if session.context.swaps() > swaps {
         session.frame_shown();
     }
     if let Call::GrGlideShutdown {} = call {
@@ -104,18 +107,21 @@ fn tell_one(callback: ErrorCallback, report: &Report) {
 
 impl Session {
     fn new() -> Session {
-        let settings = Settings::from_environment();
-        let card = settings.glide.card.name;
+        let settings = Settings::load();
+        for problem in &settings.problems {
+            eprintln!("fillrate: {problem}");
+        }
+        let config = settings.glide.clone();
         let context = Context::new(settings.glide).or_else(|error| {
             eprintln!("fillrate: {error}; the default board is used");
             Context::new(GlideConfig::default())
         });
         let capture = settings.capture.and_then(|folder| {
-            let capture = Capture::new(folder, settings.every);
+            let capture = Capture::new(folder, settings.every, settings.scan_out);
             capture.map_err(|error| eprintln!("fillrate: cannot capture frames: {error}")).ok()
         });
         let recorder = settings.trace.and_then(|file| {
-            let recorder = Recorder::new(&file, card);
+            let recorder = Recorder::new(&file, &config);
             recorder.map_err(|error| eprintln!("fillrate: cannot record: {error}")).ok()
         });
         if recorder.is_some() {
@@ -153,10 +159,11 @@ impl Session {
     }
 
     fn note_frame(&mut self) {
-        let Some(frame) = self.context.shown().and_then(frame_of) else { return };
-        let counters = self.context.counters();
+        let Some(shown) = self.context.shown() else { return };
+        let (counters, board) = (self.context.total_counters(), self.context.current_board());
+        let Some(frame) = frame_of(&shown) else { return };
         if let Some(capture) = &mut self.capture
-            && let Err(error) = capture.frame(self.frames, &frame, counters)
+            && let Err(error) = capture.frame(board, &shown, &frame, counters)
         {
             eprintln!("fillrate: frames are no longer captured: {error}");
             self.capture = None;
@@ -194,13 +201,19 @@ impl Session {
 }
 
 impl Recorder {
-    fn new(file: &std::path::Path, card: &str) -> Result<Recorder, Box<dyn std::error::Error>> {
+    fn new(
+        file: &std::path::Path,
+        config: &GlideConfig,
+    ) -> Result<Recorder, Box<dyn std::error::Error>> {
         let program = std::env::args().next().unwrap_or_default();
         let meta = Meta::new()
             .with("api", "glide2x")
             .with("program", program)
-            .with("card", card)
             .with("creator", concat!("fillrate ", env!("CARGO_PKG_VERSION")));
+        let meta = config
+            .describe()
+            .into_iter()
+            .fold(meta, |meta, (key, value)| meta.with(format!("{CONFIG_PREFIX}{key}"), value));
         let writer = TraceWriter::new(BufWriter::new(File::create(file)?), &meta)?;
         Ok(Recorder { writer, encoder: Encoder::with_blobs() })
     }

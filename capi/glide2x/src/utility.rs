@@ -27,8 +27,6 @@ macro_rules! not_yet {
 }
 
 not_yet! {
-    grGlideShamelessPlug(i32);
-    grSplash(f32, f32, f32, f32, u32);
     guTexAllocateMemory(i32, u8, i32, i32, i32, i32, i32, i32, i32, i32, i32, i32, i32, f32, i32)
         -> u32 = 0xffff_ffff;
     guTexChangeAttributes(u32, i32, i32, i32, i32, i32, i32, i32, i32, i32, i32, i32) -> i32 = 0;

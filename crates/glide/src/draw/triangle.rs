@@ -20,6 +20,9 @@ impl Board {
         self.update();
         let [a, b, c] = corners.map(|v| self.rules.convert(v));
         let cull = self.cull();
+        if self.stipple_rotates() {
+            return self.draw_triangle_stippled([&a, &b, &c], cull);
+        }
         self.device.draw_triangle([&a, &b, &c], cull);
     }
 }
