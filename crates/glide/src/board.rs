@@ -89,6 +89,8 @@ pub(crate) struct Board {
     /// How vertices are read, while not dirty.
     pub rules: VertexRules,
     pub dither_subtract: bool,
+    /// Drop triangles with a corner out of range.
+    pub bounds_check: bool,
 }
 
 impl Board {
@@ -114,6 +116,7 @@ impl Board {
             dirty: true,
             rules: VertexRules::default(),
             dither_subtract: !variables.no_dither_subtraction,
+            bounds_check: variables.bounds_check,
         }
     }
 

@@ -51,17 +51,22 @@ fn settings_reach_the_library_in_their_order() {
     let program = compiled(&folder, "hardware");
     let file = folder.path().join("settings.toml");
     std::fs::write(&file, "[board]\nboards = 3\n[output]\ngamma = true\n").expect("a file");
-    let fillrate_run = |configure: &dyn Fn(&mut Command)| {
+    let fillrate_run = |configure: fn(&mut Command)| {
         let mut command = fillrate();
         command.args(["run", "--config"]).arg(&file);
         configure(&mut command);
         command.arg("--").arg(&program).output().expect("the program starts").status.code()
     };
     // The program wants two boards, no more and no less.
-    assert_eq!(fillrate_run(&|_| {}), Some(3));
-    assert_eq!(fillrate_run(&|c| drop(c.env("FILLRATE_BOARDS", "2"))), Some(0));
-    let both = |c: &mut Command| drop(c.env("FILLRATE_BOARDS", "1").args(["--boards", "2"]));
-    assert_eq!(fillrate_run(&both), Some(0));
+    assert_eq!(fillrate_run(|_| {}), Some(3));
+    let variable = |c: &mut Command| {
+        c.env("FILLRATE_BOARDS", "2");
+    };
+    assert_eq!(fillrate_run(variable), Some(0));
+    let both = |c: &mut Command| {
+        c.env("FILLRATE_BOARDS", "1").args(["--boards", "2"]);
+    };
+    assert_eq!(fillrate_run(both), Some(0));
 }
 
 /// A recording of a board from a file is drawn again on that board.
@@ -70,7 +75,7 @@ fn recordings_keep_their_board() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let program = compiled(&folder, "hardware");
     let (file, trace) = (folder.path().join("settings.toml"), folder.path().join("trace"));
-    let card = "[board]\ncard = \"own\"\nboards = 2\n[cards.own]\nframe_buffer = 1\nunits = 1\ntexture = 1\n";
+    let card = "[board]\ncard = \"own\"\nboards = 2\n[cards.own]\nframe_buffer = 2\nunits = 3\ntexture = 1\n";
     std::fs::write(&file, card).expect("a file");
     run(fillrate()
         .args(["run", "--config"])

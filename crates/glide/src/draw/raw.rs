@@ -241,7 +241,7 @@ mod tests {
             let value = random.rotate_left(13) ^ 0x5bd1_e995;
             let chip = (random >> 28) as i32 % 5;
             glide.execute(&Call::GrSstConfigPipeline { chip, register, value });
-            if random % 16 == 0 {
+            if random.is_multiple_of(16) {
                 write(&mut glide, 32, value);
             }
         }
