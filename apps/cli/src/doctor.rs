@@ -20,7 +20,7 @@ pub struct DoctorArgs {
 pub fn doctor(args: &DoctorArgs) -> Result<Outcome> {
     let levels: Vec<&str> = Level::available().map(Level::name).collect();
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let found = library::folder_of(library::GLIDE2X);
+    let found = library::folder();
     let settings = variables();
     let loaded = fillrate_settings::Settings::load();
     if args.json {
@@ -42,12 +42,16 @@ pub fn doctor(args: &DoctorArgs) -> Result<Outcome> {
     println!("simd levels  {} (best: {})", levels.join(" "), Level::best());
     println!("cores        {threads}");
     match &found {
-        Some(folder) => println!("library      {}", folder.join(library::GLIDE2X).display()),
-        None => println!("library      {} not found", library::GLIDE2X),
+        Some(folder) => println!("libraries    {}", folder.display()),
+        None => println!("libraries    not found"),
     }
     for folder in library::candidates() {
         let mark = if Some(&folder) == found.as_ref() { "*" } else { " " };
         println!("  looked in {mark} {}", folder.display());
+    }
+    for library in library::LIBRARIES {
+        let state = if library::folder_of(library).is_some() { "found" } else { "not found" };
+        println!("library      {} {state}", library::file_name(library));
     }
     if settings.is_empty() {
         println!("variables    none set");

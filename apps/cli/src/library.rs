@@ -4,14 +4,23 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 
-/// File name of the Glide 2.x library on this system.
-pub const GLIDE2X: &str = if cfg!(target_os = "macos") {
-    "libglide2x.dylib"
-} else if cfg!(windows) {
-    "glide2x.dll"
-} else {
-    "libglide2x.so"
-};
+/// The file name of a library on this system.
+pub fn file_name(library: &str) -> String {
+    if cfg!(target_os = "macos") {
+        format!("lib{library}.dylib")
+    } else if cfg!(windows) {
+        format!("{library}.dll")
+    } else {
+        format!("lib{library}.so")
+    }
+}
+
+/// The Glide 2.x library.
+pub const GLIDE2X: &str = "glide2x";
+/// The client interface of the Raw pipeline.
+pub const RENDER_CLIENT: &str = "render_client";
+/// Every drop-in library.
+pub const LIBRARIES: [&str; 2] = [GLIDE2X, RENDER_CLIENT];
 
 /// The variable that makes the dynamic linker look into our folder first.
 pub const SEARCH_PATH: &str =
@@ -32,20 +41,33 @@ pub fn candidates() -> Vec<PathBuf> {
 
 /// The folder that holds a library.
 pub fn folder_of(library: &str) -> Option<PathBuf> {
-    candidates().into_iter().find(|folder| folder.join(library).is_file())
+    let file = file_name(library);
+    candidates().into_iter().find(|folder| folder.join(&file).is_file())
 }
 
-/// The folder of the Glide library, as an error where there is none.
-pub fn glide_folder() -> Result<PathBuf> {
-    folder_of(GLIDE2X).with_context(|| {
-        let tried: Vec<String> =
-            candidates().iter().map(|folder| folder.display().to_string()).collect();
-        format!(
-            "{GLIDE2X} was not found; looked in {} (build it with: cargo build --release -p \
-             fillrate-glide2x, or set FILLRATE_LIB_DIR)",
-            tried.join(", ")
-        )
-    })
+/// The first folder that holds any of our libraries.
+pub fn folder() -> Option<PathBuf> {
+    LIBRARIES.into_iter().find_map(folder_of)
+}
+
+/// The folder of a library, as an error where there is none.
+pub fn need(library: &str) -> Result<PathBuf> {
+    folder_of(library).with_context(|| not_found(&format!("no {}", file_name(library))))
+}
+
+/// The first folder that holds any of our libraries, as an error where there is none.
+pub fn need_any() -> Result<PathBuf> {
+    folder().with_context(|| not_found("no library of ours"))
+}
+
+fn not_found(what: &str) -> String {
+    let tried: Vec<String> =
+        candidates().iter().map(|folder| folder.display().to_string()).collect();
+    format!(
+        "{what} was found; looked in {} (build the libraries with: cargo build --release, or set \
+         FILLRATE_LIB_DIR)",
+        tried.join(", ")
+    )
 }
 
 /// The search path with `folder` first.

@@ -11,7 +11,7 @@ use fillrate_trace::TraceReader;
 
 use crate::Outcome;
 use crate::settings::Settings;
-use crate::target::GlideTarget;
+use crate::target::AnyTarget;
 
 /// Options of `fillrate replay`.
 #[derive(Args, Debug)]
@@ -44,7 +44,7 @@ pub fn replay(args: &ReplayArgs) -> Result<Outcome> {
     let device = args.settings.device();
     let reader = TraceReader::new(BufReader::new(file))?;
     let limits = Limits { frames: args.frames, ..Limits::default() };
-    let mut player = Player::new(reader, GlideTarget::new(device), limits);
+    let mut player = Player::new(reader, AnyTarget::new(device), limits);
     let (mut frames, mut different) = (0u64, 0u64);
     loop {
         match player.step()? {

@@ -119,7 +119,7 @@ pub struct Request<'a> {
 /// Runs a program and reads back what the library noted of its frames.
 pub fn execute(program: &[std::ffi::OsString], request: &Request<'_>) -> Result<Finished> {
     let (name, arguments) = program.split_first().context("no program was given")?;
-    let folder = library::glide_folder()?;
+    let folder = library::need_any()?;
     let mut command = Command::new(name);
     command
         .args(arguments)

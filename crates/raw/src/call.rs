@@ -82,6 +82,12 @@ value_enum! {
         36 => Reset {},
         /// Stops the device.
         37 => Halt {},
+        /// One word to the device, as it is.
+        38 => SendWord { word: u32 },
+        /// A record for the host interface, by its name; or text for its log.
+        39 => Meta { text: String },
+        /// Asks for the next word that came back.
+        40 => ReadWord {},
     }
 }
 
@@ -119,6 +125,7 @@ impl Call {
             Call::Vertex { .. } | Call::EndScene {} | Call::EndPrim {} | Call::BeginPrim {} => {
                 Place::Scene
             }
+            Call::SendWord { .. } | Call::Meta { .. } | Call::ReadWord {} => Place::Anywhere,
             Call::Init {} | Call::Color { .. } | Call::ModelMatrix { .. } => Place::Anywhere,
             Call::ViewMatrix { .. } | Call::Normal { .. } | Call::Set { .. } => Place::Anywhere,
             Call::ColTexBalance { .. } | Call::AlphaThresh { .. } => Place::Anywhere,
@@ -134,6 +141,7 @@ impl Call {
         let f = |v: &f32| v.to_bits();
         match self {
             Call::Init {} | Call::BeginPrim {} | Call::EndPrim {} => {}
+            Call::SendWord { .. } | Call::Meta { .. } | Call::ReadWord {} => {}
             Call::BeginScene {} => out.push(1),
             Call::EndScene {} => out.push(2),
             Call::Vertex { x, y, z, u, v } => out.extend([3, f(x), f(y), f(z), f(u), f(v)]),
@@ -186,6 +194,7 @@ impl Call {
     /// Number of words the device answers with.
     pub fn answers(&self, in_scene: bool) -> u32 {
         match self {
+            Call::ReadWord {} => 1,
             _ if in_scene => 0,
             Call::AllocateTexture { .. } | Call::TexMemAvail {} => 1,
             Call::ReadFb { .. } | Call::ReadZ { .. } => 1,

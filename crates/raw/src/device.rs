@@ -18,7 +18,7 @@ use crate::stream::{SceneEvent, SceneReader};
 use crate::texture::{self, TextureManager};
 
 /// Faults kept for [`Device::take_faults`]; later ones are only counted.
-const MAX_FAULTS: usize = 256;
+pub(crate) const MAX_FAULTS: usize = 256;
 
 /// The word that says "ready": at boot, on entering a scene and on leaving it.
 pub const READY: u32 = 1;
@@ -173,6 +173,13 @@ impl Core {
         replies.push(0, count - inside);
     }
 
+    /// The fault of a command whose parameters `p` name a texture that does not exist.
+    pub(crate) fn texture_fault(&self, op: Opcode, p: &[u32], offset: u64) -> Option<StreamError> {
+        let names = matches!(op, Opcode::UploadTexture | Opcode::DeallocTexture);
+        let id = *p.first().filter(|_| names)?;
+        self.textures.get(id).is_none().then_some(StreamError::Texture { id, offset })
+    }
+
     /// Takes data word number `index` of the block command `op` with the parameters `p`.
     pub fn block_word(&mut self, op: Opcode, p: &[u32], index: u32, word: u32) {
         let offset = u64::from(index);
@@ -219,6 +226,7 @@ pub struct Device<O = ()> {
     replies: Replies,
     faults: Vec<StreamError>,
     offset: u64,
+    fragments: u64,
     observer: O,
 }
 
@@ -241,6 +249,7 @@ impl<O: Observer> Device<O> {
             replies,
             faults: Vec::new(),
             offset: 0,
+            fragments: 0,
             observer,
         }
     }
@@ -248,6 +257,11 @@ impl<O: Observer> Device<O> {
     /// State, textures and buffers.
     pub fn core(&self) -> &Core {
         &self.core
+    }
+
+    /// State, textures and buffers, without the device.
+    pub fn into_core(self) -> Core {
+        self.core
     }
 
     /// State, textures and buffers, for set-up from outside the command stream.
@@ -273,6 +287,16 @@ impl<O: Observer> Device<O> {
     /// Whether the device was halted, or hung as the listing would.
     pub fn is_halted(&self) -> bool {
         matches!(self.mode, Mode::Halted)
+    }
+
+    /// Words pushed so far: the place of the next one in the stream.
+    pub fn words(&self) -> u64 {
+        self.offset
+    }
+
+    /// Fragments made so far.
+    pub fn fragments(&self) -> u64 {
+        self.fragments
     }
 
     /// Takes the next reply word, if one is waiting.
@@ -337,20 +361,13 @@ impl<O: Observer> Device<O> {
             }
             Opcode::Halt => self.mode = Mode::Halted,
             _ => {
-                self.check_texture(op);
+                if let Some(fault) = self.core.texture_fault(op, &self.params, self.offset) {
+                    self.fault(fault);
+                }
                 self.core.execute(op, &self.params, &mut self.replies);
                 if let Some(at) = op.data_length_at() {
                     self.block(op, 0, self.params[at]);
                 }
-            }
-        }
-    }
-
-    fn check_texture(&mut self, op: Opcode) {
-        if matches!(op, Opcode::UploadTexture | Opcode::DeallocTexture) {
-            let id = self.params[0];
-            if self.core.textures.get(id).is_none() {
-                self.fault(StreamError::Texture { id, offset: self.offset });
             }
         }
     }
@@ -402,6 +419,7 @@ impl<O: Observer> Device<O> {
         let mut walker = Rasterizer::new(&stage2_view(prim, &errata), width, height, &errata);
         self.observer.setup(walker.needs());
         while let Some(fragment) = walker.next() {
+            self.fragments += 1;
             let textured = combine::process(&self.core.textures, &prim.info, &fragment, &errata);
             self.observer.fragment(&prim.info, walker.take_work(), &textured);
             let drawn = &textured.fragment;

@@ -1,6 +1,7 @@
 //! Watching the single-tile renderer work, for the cost model.
 
 use crate::opcode::Opcode;
+use crate::protocol::Record;
 use crate::stage::TransPrim;
 use crate::stage::combine::Textured;
 use crate::stage::composite::Outcome;
@@ -12,6 +13,12 @@ use crate::state::{ModeBits, PrimInfo};
 pub trait Observer {
     /// A word was read from the host.
     fn word(&mut self) {}
+    /// A meta record for the host interface arrived.
+    fn meta(&mut self, _record: Record) {}
+    /// The counters as the simulator printed them, if this observer counts.
+    fn report(&mut self) -> Option<String> {
+        None
+    }
     /// A command was carried out.
     fn command(&mut self, _op: Opcode) {}
     /// Stage 1 finished a primitive, visible or not.
