@@ -50,7 +50,9 @@ struct GlideTarget(Context);
 impl GlideTarget {
     fn start(meta: &Meta, device: &DeviceConfig) -> Result<GlideTarget, TargetError> {
         let card = meta.get("card").and_then(Card::by_name).unwrap_or_default();
-        let config = GlideConfig { device: device.clone(), card, ..GlideConfig::default() };
+        let boards = meta.get("boards").and_then(|boards| boards.parse().ok()).unwrap_or(1);
+        let device = device.clone();
+        let config = GlideConfig { device, card, boards, ..GlideConfig::default() };
         Ok(GlideTarget(Context::new(config)?))
     }
 }

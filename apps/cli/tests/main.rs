@@ -1,6 +1,9 @@
 //! The program and the C library as a user meets them: examples compiled by
 //! the system's C compiler, run, recorded and replayed.
 
+#[path = "conformance/mod.rs"]
+mod conformance;
+
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

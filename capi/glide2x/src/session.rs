@@ -6,6 +6,7 @@ use fillrate_capture::{FrameLog, Recorder};
 use fillrate_glide::{Call, Context, GlideConfig, GrVertex, Report};
 
 use crate::capture::{drawn, frame_of};
+use crate::manager::Records;
 use crate::settings::Settings;
 
 /// The type of an error callback: message, and whether it is fatal.
@@ -21,6 +22,10 @@ pub struct Session {
     frames: u64,
     /// The program's callback.
     pub callback: ErrorCallback,
+    /// The buffers that the calls before 2.4 read and write.
+    pub old_buffers: [i32; 2],
+    /// Records of mip maps that the program holds pointers to.
+    pub records: Records,
 }
 
 static SESSION: LazyLock<Mutex<Session>> = LazyLock::new(|| Mutex::new(Session::new()));
@@ -96,7 +101,7 @@ fn tell_one(callback: ErrorCallback, report: &Report) {
 impl Session {
     fn new() -> Session {
         let settings = Settings::from_environment();
-        let card = settings.glide.card.name;
+        let (card, boards) = (settings.glide.card.name, settings.glide.boards);
         let context = Context::new(settings.glide).or_else(|error| {
             eprintln!("fillrate: {error}; the default board is used");
             Context::new(GlideConfig::default())
@@ -106,7 +111,8 @@ impl Session {
             capture.map_err(|error| eprintln!("fillrate: cannot capture frames: {error}")).ok()
         });
         let recorder = settings.trace.and_then(|file| {
-            let recorder = Recorder::new(&file, "glide2x", &[("card", card)]);
+            let about = [("card", card), ("boards", &boards.to_string())];
+            let recorder = Recorder::new(&file, "glide2x", &about);
             recorder.map_err(|error| eprintln!("fillrate: cannot record: {error}")).ok()
         });
         if recorder.is_some() {
@@ -120,6 +126,8 @@ impl Session {
             exit_after: settings.exit_after,
             frames: 0,
             callback: None,
+            old_buffers: [1, 1],
+            records: Records::default(),
         }
     }
 

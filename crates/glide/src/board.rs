@@ -7,6 +7,7 @@ use fillrate_engine::{Device, DrawState, PixelFormat, SurfaceId, Texture};
 
 use crate::card::{Card, RESOLUTIONS};
 use crate::enums::{MIPMAP_DISABLE, RESOLUTION_NONE};
+use crate::gu::MipMaps;
 use crate::lfb::Lfb;
 use crate::registers::{FbiRegisters, TmuRegisters, fbz};
 use crate::texture::TextureMemory;
@@ -59,6 +60,8 @@ pub(crate) struct Board {
     pub fog_table: FogTable,
     pub gamma: f32,
     pub memories: Vec<TextureMemory>,
+    /// The texture manager of the utility library.
+    pub mip_maps: MipMaps,
     pub buffers: Option<Buffers>,
     pub lfb: Lfb,
     /// Swaps since the board was opened.
@@ -84,6 +87,7 @@ impl Board {
             fog_table: FogTable::default(),
             gamma: 1.7,
             memories: (0..card.units).map(|_| memory()).collect(),
+            mip_maps: MipMaps::new(card.units),
             buffers: None,
             lfb: Lfb::default(),
             swaps: 0,
@@ -121,6 +125,7 @@ impl Board {
         self.fog_table = FogTable::default();
         self.gamma = 1.7;
         self.device.reset_counters();
+        self.mip_maps.reset();
         self.set_defaults(origin, (width, height));
         true
     }

@@ -8,6 +8,7 @@ use crate::board::Board;
 use crate::buffers::Shown;
 use crate::card::Card;
 use crate::error::{GlideError, Report, historic_name};
+use crate::gu::MultiPass;
 use crate::lfb::LfbInfo;
 use crate::state::STATE_BYTES;
 use crate::vertex::GrVertex;
@@ -50,6 +51,7 @@ pub struct Context {
     pub(crate) current: usize,
     pub(crate) initialized: bool,
     pub(crate) reports: Vec<Report>,
+    pub(crate) multipass: MultiPass,
 }
 
 /// Reports kept until somebody takes them.
@@ -70,7 +72,14 @@ impl Context {
             return Err(GlideError::Card);
         }
         let boards = Vec::new();
-        Ok(Context { config, boards, current: 0, initialized: false, reports: Vec::new() })
+        Ok(Context {
+            config,
+            boards,
+            current: 0,
+            initialized: false,
+            reports: Vec::new(),
+            multipass: MultiPass::default(),
+        })
     }
 
     /// The configuration.
@@ -106,9 +115,18 @@ impl Context {
 
     /// Tells of a misuse, whatever the mode.
     pub(crate) fn report(&mut self, function: &str, text: impl Into<String>) {
+        self.add_report(function, text.into(), true);
+    }
+
+    /// Tells of something that would not have ended the program.
+    pub(crate) fn warn(&mut self, function: &str, text: impl Into<String>) {
+        self.add_report(function, text.into(), false);
+    }
+
+    fn add_report(&mut self, function: &str, text: String, fatal: bool) {
         if self.reports.len() < MAX_REPORTS {
             let function = historic_name(function);
-            self.reports.push(Report { function, text: text.into(), fatal: true });
+            self.reports.push(Report { function, text, fatal });
         }
     }
 
@@ -186,6 +204,11 @@ impl Context {
         self.boards.get_mut(self.current).map_or_else(Counters::default, |b| b.device.counters())
     }
 
+    /// The number of the current board.
+    pub fn current_board(&self) -> usize {
+        self.current
+    }
+
     /// Boards there are; before the start, those that a start would find.
     pub fn board_count(&self) -> usize {
         self.config.boards.clamp(1, MAX_BOARDS)
@@ -233,6 +256,17 @@ impl Context {
         size: (u32, u32),
     ) -> Option<Vec<u16>> {
         self.board("grLfbReadRegion")?.read_region(buffer, at, size)
+    }
+
+    /// Reads a rectangle as `guFbReadRegion` did: at most 1024 columns and
+    /// rows, rows without gaps.
+    pub fn lfb_read_old_region(
+        &mut self,
+        buffer: i32,
+        at: (i32, i32),
+        size: (i32, i32),
+    ) -> Option<Vec<u16>> {
+        self.board("guFbReadRegion")?.read_old_region(buffer, at, size)
     }
 
     /// The line being shown, 0 in retrace. A clock that moves by looking.
