@@ -2,6 +2,8 @@
 //! the system's C compiler, run, recorded and replayed.
 
 mod card;
+#[path = "conformance/mod.rs"]
+mod conformance;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -7,6 +7,7 @@ use fillrate_glide::{Call, Context, GlideConfig, GrVertex, Report, ScanOut};
 use fillrate_settings::Settings;
 
 use crate::capture::{drawn, frame_of, on_monitor};
+use crate::manager::Records;
 
 /// The type of an error callback: message, and whether it is fatal.
 pub type ErrorCallback = Option<unsafe extern "C" fn(*const std::ffi::c_char, i32)>;
@@ -22,6 +23,10 @@ pub struct Session {
     frames: u64,
     /// The program's callback.
     pub callback: ErrorCallback,
+    /// The buffers that the calls before 2.4 read and write.
+    pub old_buffers: [i32; 2],
+    /// Records of mip maps that the program holds pointers to.
+    pub records: Records,
 }
 
 static SESSION: LazyLock<Mutex<Session>> = LazyLock::new(|| Mutex::new(Session::new()));
@@ -132,6 +137,8 @@ impl Session {
             exit_after: settings.exit_after,
             frames: 0,
             callback: None,
+            old_buffers: [1, 1],
+            records: Records::default(),
         }
     }
 

@@ -8,6 +8,7 @@ use fillrate_engine::{Counters, Device, DrawState, PixelFormat, Registers, Surfa
 use crate::card::{Card, RESOLUTIONS};
 use crate::clock::Clock;
 use crate::enums::{MIPMAP_DISABLE, RESOLUTION_NONE};
+use crate::gu::MipMaps;
 use crate::lfb::Lfb;
 use crate::registers::{FbiRegisters, TmuRegisters, fbz};
 use crate::scanout::GammaTable;
@@ -73,6 +74,8 @@ pub(crate) struct Board {
     pub gamma: [GammaTable; 3],
     pub filter_thresholds: [u8; 3],
     pub memories: Vec<TextureMemory>,
+    /// The texture manager of the utility library.
+    pub mip_maps: MipMaps,
     pub buffers: Option<Buffers>,
     pub lfb: Lfb,
     /// Swaps since the board was opened.
@@ -105,6 +108,7 @@ impl Board {
             gamma: variables.gamma_tables(),
             filter_thresholds: variables.filter_thresholds,
             memories: (0..card.units).map(|_| memory()).collect(),
+            mip_maps: MipMaps::new(card.units),
             card,
             buffers: None,
             lfb: Lfb::default(),
@@ -153,6 +157,7 @@ impl Board {
         self.device.reset_counters();
         self.correction = Correction::default();
         self.counted = [Counters::default(); 2];
+        self.mip_maps.reset();
         self.set_defaults(origin, (width, height));
         true
     }

@@ -9,6 +9,7 @@ use crate::buffers::Shown;
 use crate::card::Card;
 use crate::clock::Clock;
 use crate::error::{GlideError, Report, historic_name};
+use crate::gu::MultiPass;
 use crate::lfb::LfbInfo;
 use crate::state::STATE_BYTES;
 use crate::variables::Variables;
@@ -106,6 +107,7 @@ pub struct Context {
     pub(crate) variables: Variables,
     /// The mark in the corner is drawn at every swap.
     pub(crate) plug: bool,
+    pub(crate) multipass: MultiPass,
 }
 
 /// Reports kept until somebody takes them.
@@ -130,6 +132,7 @@ impl Context {
             initialized: false,
             reports: Vec::new(),
             variables,
+            multipass: MultiPass::default(),
         })
     }
 
@@ -163,9 +166,18 @@ impl Context {
 
     /// Tells of a misuse, whatever the mode.
     pub(crate) fn report(&mut self, function: &str, text: impl Into<String>) {
+        self.add_report(function, text.into(), true);
+    }
+
+    /// Tells of something that would not have ended the program.
+    pub(crate) fn warn(&mut self, function: &str, text: impl Into<String>) {
+        self.add_report(function, text.into(), false);
+    }
+
+    fn add_report(&mut self, function: &str, text: String, fatal: bool) {
         if self.reports.len() < MAX_REPORTS {
             let function = historic_name(function);
-            self.reports.push(Report { function, text: text.into(), fatal: true });
+            self.reports.push(Report { function, text, fatal });
         }
     }
 
@@ -301,6 +313,17 @@ impl Context {
         size: (u32, u32),
     ) -> Option<Vec<u16>> {
         self.board("grLfbReadRegion")?.read_region(buffer, at, size)
+    }
+
+    /// Reads a rectangle as `guFbReadRegion` did: at most 1024 columns and
+    /// rows, rows without gaps.
+    pub fn lfb_read_old_region(
+        &mut self,
+        buffer: i32,
+        at: (i32, i32),
+        size: (i32, i32),
+    ) -> Option<Vec<u16>> {
+        self.board("guFbReadRegion")?.read_old_region(buffer, at, size)
     }
 
     /// The line being shown, 0 in retrace. Looking moves the clock by a line.

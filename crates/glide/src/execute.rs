@@ -5,9 +5,10 @@ use crate::call::Call;
 use crate::combine::{alpha_preset, color_preset, is_delta0, texture_preset};
 use crate::context::Context;
 use crate::enums::*;
-use crate::registers::replace;
+use crate::gu::{Attributes, MipMap, MultiPass, NCC_TABLE_BYTES, Sprite};
+use crate::registers::{lfb_mode, replace, switch};
 use crate::texture::layout;
-use crate::texture_state::TextureInfo;
+use crate::texture_state::{TextureInfo, lod_bias_quarters};
 
 /// Whether a chain of textures would cross a boundary of two megabytes.
 fn crosses_bank(start: u32, info: &TextureInfo, even_odd: u32) -> bool {
@@ -20,6 +21,7 @@ impl Context {
     /// Carries out a call. Returns what the original returned as a number:
     /// 1 and 0 for true and false, 0 for nothing.
     pub fn execute(&mut self, call: &Call) -> u32 {
+        use fillrate_call::Tagged;
         match call {
             Call::GrGlideInit {} => self.init(),
             Call::GrGlideShutdown {} => self.shutdown(),
@@ -46,6 +48,20 @@ impl Context {
             | Call::GrTexMipMapMode { .. }
             | Call::GrTexMultibase { .. }
             | Call::GrTexMultibaseAddress { .. } => self.texture_call(call),
+            Call::GuTexAllocateMemory { .. }
+            | Call::GuTexChangeAttributes { .. }
+            | Call::GuTexDownloadMipMap { .. }
+            | Call::GuTexDownloadMipMapLevel { .. }
+            | Call::GuTexSource { .. }
+            | Call::GuTexMemReset {} => return self.mip_map_call(call),
+            Call::GuMpInit {}
+            | Call::GuMpTexCombineFunction { .. }
+            | Call::GuMpTexSource { .. }
+            | Call::GuMpDrawTriangle { .. } => self.multipass_call(call),
+            Call::GuMovieStart {} | Call::GuMovieStop {} | Call::GuMovieSetName { .. } => {
+                self.warn(call.name(), "movies are not supported");
+            }
+            Call::ConvertAndDownloadRle { .. } => self.sprite_call(call),
             Call::GrLfbLock { .. }
             | Call::GrLfbUnlock { .. }
             | Call::GrLfbConstantAlpha { .. }
@@ -54,6 +70,8 @@ impl Context {
             | Call::GrLfbWriteRegion { .. }
             | Call::GrLfbWriteMode { .. }
             | Call::GrLfbOrigin { .. }
+            | Call::GrLfbWriteColorSwizzle { .. }
+            | Call::GuFbWriteRegion { .. }
             | Call::GrLfbBypassMode { .. } => return u32::from(self.lfb_call(call)),
             Call::GrBufferSwap { interval } => self.swap(*interval),
             Call::GrGlideShamelessPlug { on } => self.plug = *on != 0,
@@ -291,6 +309,90 @@ impl Context {
         self.check(known, name, "an argument is out of range");
     }
 
+    fn mip_map_call(&mut self, call: &Call) -> u32 {
+        match call {
+            Call::GuTexAllocateMemory { .. } => {
+                return described(call).map_or(0, |mip_map| self.allocate_mip_map(mip_map));
+            }
+            Call::GuTexChangeAttributes { id, .. } => {
+                let changes = attributes(call);
+                return changes.map_or(0, |changes| u32::from(self.change_mip_map(*id, &changes)));
+            }
+            Call::GuTexDownloadMipMap { id, data, table } => {
+                self.download_mip_map(*id, data, table.as_deref());
+            }
+            Call::GuTexDownloadMipMapLevel { id, lod, data } => {
+                self.download_mip_map_level(*id, *lod, data);
+            }
+            Call::GuTexSource { id } => self.source_mip_map(*id),
+            _ => self.reset_mip_maps(),
+        }
+        0
+    }
+
+    fn multipass_call(&mut self, call: &Call) {
+        match call {
+            Call::GuMpTexCombineFunction { function } => self.multipass.function = *function,
+            Call::GuMpTexSource { tmu, id } => self.set_pass_source(*tmu, *id),
+            Call::GuMpDrawTriangle { a, b, c } => self.draw_multipass([a, b, c]),
+            _ => self.multipass = MultiPass::default(),
+        }
+    }
+
+    /// Decodes the rows of a sprite from `v0` on, and of each the pixels from
+    /// `u0` on, into the first rows of a level. Where the level wants more rows
+    /// than asked for, the last one is stored once more, so that filtering
+    /// finds it there.
+    fn sprite_call(&mut self, call: &Call) {
+        const NAME: &str = "ConvertAndDownloadRle";
+        let Call::ConvertAndDownloadRle {
+            tmu,
+            start,
+            this_lod,
+            large_lod,
+            aspect,
+            format,
+            even_odd,
+            sprite,
+            rows,
+            u0,
+            v0,
+            width,
+            height,
+            dest_width,
+            dest_height,
+            table,
+        } = call
+        else {
+            return;
+        };
+        let (small_lod, large_lod, aspect, format) = (*this_lod, *large_lod, *aspect, *format);
+        let info = TextureInfo { small_lod, large_lod, aspect, format };
+        let colors = format >= 8 && table.len() == 256;
+        self.check(colors, NAME, "texels have 16 bits, and 256 colours are needed");
+        if !colors || self.texture_unit(NAME, *tmu, *start, *even_odd, &info).is_none() {
+            return;
+        }
+        let sprite = Sprite::new(sprite, usize::try_from(*rows).unwrap_or(0));
+        let (width, height) =
+            ((*width).min(*dest_width).min(256), (*height).min(*dest_height).min(256));
+        // A row is decoded up to the last pixel that is used.
+        let first = (*u0).min(256) as usize;
+        let mut pixels = vec![0; first + width as usize];
+        let mut line = vec![0; (*dest_width).min(256) as usize];
+        let extra = u32::from(*dest_height > height);
+        for row in 0..height + extra {
+            if row < height && !sprite.decode((*v0).saturating_add(row) as usize, &mut pixels) {
+                break;
+            }
+            for (texel, &pixel) in line.iter_mut().zip(&pixels[first..]) {
+                *texel = table[usize::from(pixel)];
+            }
+            let Some((board, unit)) = self.unit(NAME, *tmu) else { return };
+            board.download_row_start(unit, *start, small_lod as u32, &info, *even_odd, row, &line);
+        }
+    }
+
     fn lfb_call(&mut self, call: &Call) -> bool {
         match call {
             Call::GrLfbLock { kind, buffer, mode, origin, pipeline } => {
@@ -311,6 +413,11 @@ impl Context {
                 let Some(board) = self.board("grLfbWriteRegion") else { return false };
                 let stride = usize::try_from(*stride).unwrap_or(0);
                 board.write_region(*buffer, (*x, *y), *format, (*width, *height), stride, data)
+            }
+            Call::GuFbWriteRegion { buffer, x, y, width, height, stride, data } => {
+                let Some(board) = self.board("guFbWriteRegion") else { return false };
+                let stride = usize::try_from(*stride).unwrap_or(0);
+                board.write_old_region(*buffer, (*x, *y), (*width, *height), stride, data)
             }
             _ => self.lfb_setting(call),
         }
@@ -335,6 +442,10 @@ impl Context {
             Call::GrLfbWriteColorFormat { format } if (0..=3).contains(&format) => {
                 board.settings.color_format = format;
             }
+            Call::GrLfbWriteColorSwizzle { bytes, words } => {
+                let mode = switch(board.fbi.lfb_mode, lfb_mode::SWIZZLE_BYTES, bytes != 0);
+                board.fbi.lfb_mode = switch(mode, lfb_mode::SWAP_WORDS, words != 0);
+            }
             Call::GrLfbWriteMode { mode } => board.lfb.old.mode = mode,
             Call::GrLfbOrigin { origin } => board.lfb.old.origin = origin,
             Call::GrLfbBypassMode { mode } => board.lfb.old.pipeline = mode == 0,
@@ -352,10 +463,88 @@ impl Context {
     }
 }
 
+/// The mip map that an allocation describes.
+fn described(call: &Call) -> Option<MipMap> {
+    let Call::GuTexAllocateMemory {
+        tmu,
+        even_odd,
+        width,
+        height,
+        format,
+        mip_map_mode,
+        small_lod,
+        large_lod,
+        aspect,
+        s_clamp,
+        t_clamp,
+        minify,
+        magnify,
+        lod_bias,
+        trilinear,
+    } = *call
+    else {
+        return None;
+    };
+    Some(MipMap {
+        board: 0,
+        width,
+        height,
+        info: TextureInfo { small_lod, large_lod, aspect, format },
+        mip_map_mode,
+        magnify,
+        minify,
+        s_clamp,
+        t_clamp,
+        lod_bias: lod_bias_quarters(lod_bias),
+        tmu,
+        even_odd: u32::from(even_odd),
+        start: 0,
+        trilinear: trilinear != 0,
+        ncc_table: [0; NCC_TABLE_BYTES],
+    })
+}
+
+/// The attributes that a change gives.
+fn attributes(call: &Call) -> Option<Attributes> {
+    let Call::GuTexChangeAttributes {
+        id: _,
+        width,
+        height,
+        format,
+        mip_map_mode,
+        small_lod,
+        large_lod,
+        aspect,
+        s_clamp,
+        t_clamp,
+        minify,
+        magnify,
+    } = *call
+    else {
+        return None;
+    };
+    Some(Attributes {
+        width,
+        height,
+        format,
+        mip_map_mode,
+        small_lod,
+        large_lod,
+        aspect,
+        s_clamp,
+        t_clamp,
+        minify,
+        magnify,
+    })
+}
+
 /// Palette entries, or words of a compression table.
 fn download_table(board: &mut Board, unit: usize, table: i32, first: usize, words: &[u32]) -> bool {
     match table {
-        0 | 1 => board.memories[unit].set_ncc(table as usize, first, words),
+        0 | 1 => {
+            board.memories[unit].set_ncc(table as usize, first, words);
+            board.mip_maps.lose_ncc_table(unit, table as usize);
+        }
         TEXTABLE_PALETTE => board.memories[unit].set_palette(first, words),
         _ => return false,
     }
