@@ -368,7 +368,7 @@ impl Session {
             // SAFETY: the caller's promise.
             values.push(unsafe { self.state_value(&state) }.0);
         }
-        if self.host.is_recording() {
+        if self.is_recording() {
             let list = list_value(&parts, values);
             let reply = self.call(&Call::DrawTriangleList { gpu, list }).number();
             return match ErrorCode::ALL.into_iter().find(|code| code.code() == reply) {
