@@ -99,6 +99,35 @@ extern "C" {
 #define RENDER_RESET 46
 #define RENDER_HALT 47
 
+/* Beyond the thesis, from here on all names begin with RX: what vertices make
+ * up, what happens at the borders of the view, how texture levels are used. */
+#define RX_PRIM_TRIANGLE 0
+#define RX_PRIM_TRIANGLES 1
+#define RX_PRIM_STRIP 2
+#define RX_PRIM_FAN 3
+#define RX_PRIM_LINES 4
+#define RX_PRIM_LINESTRIP 5
+#define RX_PRIM_POINTS 6
+#define RX_CLIP_DROP 0
+#define RX_CLIP_NEAR 1
+#define RX_CLIP_FRUSTUM 2
+#define RX_MIPMAP_OFF 0
+#define RX_MIPMAP_NEAREST 1
+#define RX_MIPMAP_BLEND 2
+#define RX_MAX_STORED 4096
+#define RENDERX_SET_PRIMITIVE 64
+#define RENDERX_SET_CLIP 65
+#define RENDERX_SET_MIPMAP 66
+#define RENDERX_SET_POINTSIZE 67
+#define RENDERX_STORE_VERTEX 68
+#define RENDERX_INDEX 69
+#define RENDERX_LIGHT 70
+#define RENDERX_SPECULAR 71
+#define RENDERX_EYE 72
+#define RENDERX_ALLOCATE_MIPMAPPED 73
+#define RENDERX_MAKE_MIPMAPS 74
+#define RENDERX_RESIZE 75
+
 /* The client's own state. RUpdateMatrices sends projection times camera. */
 extern unsigned g_RInSceneStream;
 extern float g_RPerspective[4][4];
@@ -189,6 +218,23 @@ signed RReadZ(unsigned x, unsigned y);
 void RReadZBlock(unsigned x, unsigned y, unsigned page, unsigned n, signed *data);
 void RReset(void);
 void RHalt(void);
+
+/* Beyond the thesis. A primitive may have up to 4096 vertices and is cut where
+ * it leaves the view if so asked; lights 1 to 7 come beside the first; stored
+ * vertices keep the colour and normal of their time. */
+void RXSetPrimitive(unsigned kind);
+void RXSetClip(unsigned planes);
+void RXSetMipMap(unsigned mode);
+void RXSetPointSize(unsigned pixels);
+void RXStoreVertex(unsigned index, float x, float y, float z, float u, float v);
+void RXIndex(unsigned index);
+void RXLight(unsigned number, unsigned rgbi, float x, float y, float z);
+void RXSpecular(unsigned rgbi, unsigned exponent);
+void RXEye(float x, float y, float z);
+int RXAllocateMipMapped(unsigned width, unsigned height);
+void RXMakeMipMaps(int id);
+void RXResize(unsigned width, unsigned height);
+void RXAsyncReset(void);
 
 #ifdef __cplusplus
 }

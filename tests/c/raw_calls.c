@@ -181,8 +181,51 @@ static void states(void)
     }
 }
 
+static void beyond(void)
+{
+    unsigned i;
+    int id = RXAllocateMipMapped(8, 8);
+
+    CHECK(id >= 0);
+    RXMakeMipMaps(id);
+    RXMakeMipMaps(-1);
+    CHECK(RXAllocateMipMapped(0, 0) == -1);
+    RXResize(16, 8);
+    RXResize(0, 0xffffffffu);
+    RWriteFBRGBX(15, 7, R_PAGE_BACK, 0x11000000);
+    CHECK(RReadFB(15, 7, 0) == 0x11000000u && RReadFB(0, 8, 0) == 0);
+    RXSetPrimitive(RX_PRIM_STRIP);
+    RXSetClip(RX_CLIP_FRUSTUM);
+    RXSetMipMap(RX_MIPMAP_BLEND);
+    RXSetPointSize(0xffffffffu);
+    RXLight(0xffffffffu, 0, 0, 0, 0);
+    RXSpecular(0xffffffffu, 0xffffffffu);
+    RXEye(0, 0, 0);
+    RColorRGBA(0x223344ffu);
+    RXStoreVertex(0, -1.0f, -1.0f, 0.0f, 0.0f, 0.0f);
+    RXStoreVertex(1, 1.0f, -1.0f, 0.0f, 0.0f, 0.0f);
+    RXStoreVertex(2, -1.0f, 1.0f, 0.0f, 0.0f, 0.0f);
+    RXStoreVertex(3, 1.0f, 1.0f, 0.0f, 0.0f, 0.0f);
+    RXStoreVertex(0xffffffffu, 0, 0, 0, 0, 0);
+    RXIndex(0); /* outside a scene: left out */
+    RBeginScene();
+    RBeginPrim();
+    for (i = 0; i < 4; i++) {
+        RXIndex(i);
+    }
+    REndPrim();
+    RXAsyncReset(); /* in the middle of a scene */
+    CHECK(g_RInSceneStream == 0);
+    CHECK(RReadFB(3, 3, 0) == 0x22334400u && RReadFB(12, 6, 0) == 0x22334400u);
+    CHECK(RTexMemAvail() == 1u << 20);
+    RXResize(320, 240);
+}
+
 int main(void)
 {
+    RInit();
+    RReset();
+    beyond();
     RInit();
     RReset();
     textures();

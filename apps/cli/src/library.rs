@@ -39,10 +39,16 @@ pub fn candidates() -> Vec<PathBuf> {
     folders
 }
 
-/// The folder that holds a library.
+/// The folder that holds a library: the one that was asked for, else the one with the newest, since
+/// a build may renew only one of several copies.
 pub fn folder_of(library: &str) -> Option<PathBuf> {
     let file = file_name(library);
-    candidates().into_iter().find(|folder| folder.join(&file).is_file())
+    let holds = |folder: &PathBuf| folder.join(&file).is_file();
+    if let Some(asked) = std::env::var_os("FILLRATE_LIB_DIR").map(PathBuf::from).filter(holds) {
+        return Some(asked);
+    }
+    let age = |folder: &PathBuf| folder.join(&file).metadata().and_then(|m| m.modified()).ok();
+    candidates().into_iter().filter(holds).max_by_key(age)
 }
 
 /// The first folder that holds any of our libraries.

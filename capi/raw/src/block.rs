@@ -117,6 +117,12 @@ pub extern "C" fn RReset() {
     })
 }
 
+/// Resets the device whatever it is doing, and the client with it. Beyond the thesis.
+#[unsafe(no_mangle)]
+pub extern "C" fn RXAsyncReset() {
+    guard((), || afresh(Call::AsyncReset {}))
+}
+
 fn afresh(request: Call) {
     call(request);
     crate::globals::g_RPerspective.set(fillrate_raw::matrix::IDENTITY);

@@ -80,6 +80,30 @@ calls! {
     RWriteZ(x: u32, y: u32, z: i32) = Call::WriteZ { x, y, z };
     /// Stops the device.
     RHalt() = Call::Halt {};
+    /// What the vertices of a primitive make up.
+    RXSetPrimitive(kind: u32) = Call::SetPrimitive { kind };
+    /// What is done at the borders of the view.
+    RXSetClip(planes: u32) = Call::SetClip { planes };
+    /// How levels of a texture are used.
+    RXSetMipMap(mode: u32) = Call::SetMipMap { mode };
+    /// The side of a point.
+    RXSetPointSize(pixels: u32) = Call::SetPointSize { pixels };
+    /// Keeps a vertex.
+    RXStoreVertex(index: u32, x: f32, y: f32, z: f32, u: f32, v: f32) =
+        Call::StoreVertex { index, x, y, z, u, v };
+    /// Adds a kept vertex to the primitive.
+    RXIndex(index: u32) = Call::Index { index };
+    /// A further light.
+    RXLight(number: u32, rgbi: u32, x: f32, y: f32, z: f32) =
+        Call::Light { number, rgbi, x, y, z };
+    /// Highlights.
+    RXSpecular(rgbi: u32, exponent: u32) = Call::Specular { rgbi, exponent };
+    /// Where the viewer stands.
+    RXEye(x: f32, y: f32, z: f32) = Call::Eye { x, y, z };
+    /// Makes the levels of a texture.
+    RXMakeMipMaps(id: i32) = Call::MakeMipMaps { id: id as u32 };
+    /// Changes the resolution.
+    RXResize(width: u32, height: u32) = Call::Resize { width, height };
 }
 
 /// Exports that set a mode field or the texture id.
@@ -139,6 +163,9 @@ macro_rules! questions {
 questions! {
     /// Allocates a texture; returns its id, or -1.
     RAllocateTexture(width: u32, height: u32) -> i32 = Call::AllocateTexture { width, height }, -1;
+    /// Allocates a texture with all its levels; returns its id, or -1.
+    RXAllocateMipMapped(width: u32, height: u32) -> i32 =
+        Call::AllocateMipMapped { width, height }, -1;
     /// Free texture memory in bytes; 0 in a scene.
     RTexMemAvail() -> u32 = Call::TexMemAvail {}, 0;
     /// A pixel; 0 in a scene.

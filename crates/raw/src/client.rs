@@ -61,6 +61,10 @@ impl Client {
             Call::EndScene {} if self.in_scene => self.end_scene(),
             Call::BeginPrim {} if self.in_scene => self.meta(Record::Prim),
             Call::EndPrim {} if self.in_scene => self.send(&[0]),
+            Call::AsyncReset {} => {
+                self.meta(Record::AsyncReset);
+                self.call(&Call::Init {});
+            }
             Call::SendWord { word } => self.send(&[*word]),
             Call::Meta { text } => self.text(text),
             _ if words.is_empty() => {}

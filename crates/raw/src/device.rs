@@ -36,6 +36,8 @@ pub struct Config {
     pub texture_entries: usize,
     /// Which errors of the thesis to keep.
     pub errata: Errata,
+    /// Whether commands beyond the thesis are known.
+    pub beyond: bool,
 }
 
 /// The largest width and height a device accepts.
@@ -49,6 +51,7 @@ impl Default for Config {
             texture_bytes: texture::DEFAULT_MEMORY,
             texture_entries: texture::DEFAULT_ENTRIES,
             errata: Errata::CORRECT,
+            beyond: true,
         }
     }
 }
@@ -88,6 +91,10 @@ impl Replies {
     }
 }
 
+fn initial_state(config: &Config) -> RenderState {
+    RenderState { thesis_only: !config.beyond, ..RenderState::default() }
+}
+
 /// Everything commands act on: state, textures, buffers. Shared with the simulator.
 #[derive(Clone, Debug)]
 pub struct Core {
@@ -107,7 +114,7 @@ impl Core {
         let config = config.sized(config.width, config.height);
         Self {
             config,
-            state: RenderState::default(),
+            state: initial_state(&config),
             textures: TextureManager::new(
                 config.texture_bytes,
                 config.texture_entries,
@@ -135,6 +142,11 @@ impl Core {
             Opcode::TexMemAvail => replies.push(self.textures.available(), 1),
             Opcode::CompactTexMem => self.textures.compact(),
             Opcode::Reset => self.reset(),
+            Opcode::AllocateMipMapped => {
+                replies.push(self.textures.allocate_mipmapped(p[0], p[1]), 1);
+            }
+            Opcode::MakeMipMaps => self.textures.make_levels(p[0]),
+            Opcode::Resize => self.resize(p[0], p[1]),
             _ => self.access_buffers(op, p, replies),
         }
     }
@@ -173,9 +185,19 @@ impl Core {
         replies.push(0, count - inside);
     }
 
+    /// Changes the resolution; sizes no device has are ignored.
+    fn resize(&mut self, width: u32, height: u32) {
+        if (1..=MAX_SIZE).contains(&width) && (1..=MAX_SIZE).contains(&height) {
+            self.config = self.config.sized(width, height);
+            let pages = self.target.pages;
+            self.target = Target { pages, ..Target::new(width, height) };
+        }
+    }
+
     /// The fault of a command whose parameters `p` name a texture that does not exist.
     pub(crate) fn texture_fault(&self, op: Opcode, p: &[u32], offset: u64) -> Option<StreamError> {
-        let names = matches!(op, Opcode::UploadTexture | Opcode::DeallocTexture);
+        let names =
+            matches!(op, Opcode::UploadTexture | Opcode::DeallocTexture | Opcode::MakeMipMaps);
         let id = *p.first().filter(|_| names)?;
         self.textures.get(id).is_none().then_some(StreamError::Texture { id, offset })
     }
@@ -200,7 +222,7 @@ impl Core {
 
     /// The reset command: everything but the frame-buffer contents goes back to its default.
     pub fn reset(&mut self) {
-        self.state = RenderState::default();
+        self.state = initial_state(&self.config);
         self.textures.reset();
         self.target.pages = Pages::BACK;
         self.target.depth.clear();
@@ -339,7 +361,7 @@ impl<O: Observer> Device<O> {
     fn opcode(&mut self, word: u32) {
         self.mode = Mode::Command;
         self.params.clear();
-        match Opcode::in_command_mode(word) {
+        match Opcode::in_command_mode(word).filter(|op| self.core.state.allows(*op)) {
             None => self.fault(StreamError::Opcode { word, offset: self.offset, mode: "command" }),
             Some(op) if op.inputs() == 0 => self.run(op),
             Some(op) => self.mode = Mode::Params(op),
@@ -400,17 +422,27 @@ impl<O: Observer> Device<O> {
         self.mode = Mode::Scene(reader);
     }
 
-    fn primitive(&mut self, vertices: &[InputVertex; 3]) {
+    fn primitive(&mut self, vertices: &[InputVertex]) {
         let errata = self.core.config.errata;
         let mut info = self.core.state.prim;
         let unordered = ordering::is_unordered(info.mode, vertices, &errata);
         info.seq_num = ordering::number(&mut self.core.state, unordered, &errata).seq_num;
         info.mode.set_out_of_order(u32::from(unordered));
-        let (prim, work) = geometry::process(&mut self.core.state, info, vertices, &errata);
-        self.observer.primitive(&prim, &work);
+        let (parts, work) = geometry::process(&mut self.core.state, info, vertices, &errata);
+        self.observer.primitive(&work);
         if work.visible {
-            self.draw(&prim);
+            parts.iter().for_each(|part| self.draw(part));
         }
+    }
+
+    /// Back to the state after power-on, whatever the device is doing; the frame buffer keeps its
+    /// contents. The ready word waits for the host. Beyond the thesis.
+    pub fn reset_now(&mut self) {
+        self.core.reset();
+        self.mode = Mode::Command;
+        self.params.clear();
+        self.replies = Replies::default();
+        self.replies.push(READY, 1);
     }
 
     /// Draws a transformed primitive: stages 2 to 4 for each of its fragments.

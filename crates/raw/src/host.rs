@@ -148,6 +148,10 @@ impl<O: Observer> Host<O> {
             }
             (Expect::Any, Record::Wait) => {}
             (Expect::Any, Record::Halt) => self.halted = true,
+            (Expect::Any, Record::AsyncReset) => {
+                self.device.reset_now();
+                self.device.pop_reply();
+            }
             (Expect::Any, Record::Read) => self.expect = Expect::Count,
             (Expect::Any, Record::Debug) => self.expect = Expect::Text,
             (Expect::Any, Record::Text(bytes)) => {

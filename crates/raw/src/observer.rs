@@ -2,7 +2,6 @@
 
 use crate::opcode::Opcode;
 use crate::protocol::Record;
-use crate::stage::TransPrim;
 use crate::stage::combine::Textured;
 use crate::stage::composite::Outcome;
 use crate::stage::geometry::GeometryWork;
@@ -22,7 +21,7 @@ pub trait Observer {
     /// A command was carried out.
     fn command(&mut self, _op: Opcode) {}
     /// Stage 1 finished a primitive, visible or not.
-    fn primitive(&mut self, _prim: &TransPrim, _work: &GeometryWork) {}
+    fn primitive(&mut self, _work: &GeometryWork) {}
     /// Stage 2 set a visible primitive up.
     fn setup(&mut self, _needs: Interpolants) {}
     /// Stages 2 and 3 made a fragment; `work` is the walking since the fragment before.

@@ -35,12 +35,14 @@ pub enum Record {
     Report,
     /// Zero the counters and stop counting.
     PerfReset,
+    /// Reset the device whatever it is doing. Beyond the thesis.
+    AsyncReset,
     /// Text for the log: what follows [`Record::Debug`], byte for byte.
     Text([u8; RECORD_BYTES]),
 }
 
 /// Names in the order in which prefixes are tried.
-const NAMES: [(&str, Record); 12] = [
+const NAMES: [(&str, Record); 13] = [
     ("wait", Record::Wait),
     ("halt", Record::Halt),
     ("read", Record::Read),
@@ -53,6 +55,7 @@ const NAMES: [(&str, Record); 12] = [
     ("pprim", Record::Prim),
     ("preport", Record::Report),
     ("preset", Record::PerfReset),
+    ("areset", Record::AsyncReset),
 ];
 
 /// A record that is neither a name nor a hexadecimal word.

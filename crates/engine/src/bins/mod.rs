@@ -7,18 +7,19 @@
 use core::ops::Range;
 
 use crate::device::arena::{Arena, Command, Run};
-use crate::setup::{Outcome, Registers, Triangle, prepare, triangle};
+use crate::setup::{Edge, Outcome, Registers, Shape, Triangle, prepare, prepare_palette, triangle};
 use crate::state::Rect;
 use crate::stats::Counters;
 
 /// Commands of a chunk.
 pub(crate) const CHUNK: usize = 512;
 
-/// Something a tile has to do. The numbers index the chunk's triangles, or the
-/// arena's clears and runs.
+/// Something a tile has to do. The numbers index the chunk's triangles and
+/// shapes, or the arena's clears and runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Entry {
     Triangle(u32),
+    Shape(u32),
     Clear(u32),
     Pixels(u32),
 }
@@ -57,6 +58,7 @@ impl Grid {
 #[derive(Debug, Default)]
 pub(crate) struct Chunk {
     pub triangles: Vec<Triangle>,
+    pub shapes: Vec<Shape>,
     pub counters: Counters,
     pairs: Vec<(u32, Entry)>,
     starts: Vec<u32>,
@@ -67,6 +69,7 @@ impl Chunk {
     /// Sets up and bins `commands`.
     pub fn build(&mut self, arena: &Arena, commands: Range<usize>, grid: &Grid) {
         self.triangles.clear();
+        self.shapes.clear();
         self.pairs.clear();
         self.counters = Counters::default();
         for command in &arena.commands[commands] {
@@ -84,6 +87,10 @@ impl Chunk {
                     self.counters.triangles_in += 1;
                     self.counters.triangles_drawn += 1;
                     self.launch(arena, &arena.registers[registers as usize], state, grid);
+                }
+                Command::Palette { primitive, state } => {
+                    self.counters.triangles_in += 1;
+                    self.shape(arena, primitive, state, grid);
                 }
                 Command::Clear(index) => {
                     let rect = arena.clears[index as usize].rect;
@@ -104,17 +111,32 @@ impl Chunk {
         let units = batch.pipeline.unit_count;
         let Some(triangle) = prepare(registers, &batch.screen, state, units) else { return };
         let index = self.triangles.len() as u32;
-        let (columns, rows) = grid.touched(&triangle.bounds);
+        self.add_edges(&triangle.bounds, triangle_edges(&triangle), Entry::Triangle(index), grid);
+        self.triangles.push(triangle);
+    }
+
+    fn shape(&mut self, arena: &Arena, primitive: u32, state: u32, grid: &Grid) {
+        let primitive = &arena.primitives[primitive as usize];
+        let textured = arena.palettes[state as usize].state.reads_texture();
+        let Some(shape) = prepare_palette(primitive, &grid.bounds, state, textured) else { return };
+        self.counters.triangles_drawn += 1;
+        let index = self.shapes.len() as u32;
+        self.add_edges(&shape.bounds, shape.edges(), Entry::Shape(index), grid);
+        self.shapes.push(shape);
+    }
+
+    /// Sends an entry to the tiles that its bounds and edges reach.
+    fn add_edges(&mut self, bounds: &Rect, edges: &[Edge], entry: Entry, grid: &Grid) {
+        let (columns, rows) = grid.touched(bounds);
         let single = columns.len() == 1 && rows.len() == 1;
         for row in rows {
             for column in columns.clone() {
                 let tile = row * grid.across + column;
-                if single || touches(&triangle, &grid.tile(tile as usize)) {
-                    self.pairs.push((tile, Entry::Triangle(index)));
+                if single || touches(edges, &grid.tile(tile as usize)) {
+                    self.pairs.push((tile, entry));
                 }
             }
         }
-        self.triangles.push(triangle);
     }
 
     fn add_rect(&mut self, rect: &Rect, entry: Entry, grid: &Grid) {
@@ -154,10 +176,14 @@ impl Chunk {
     }
 }
 
+fn triangle_edges(triangle: &Triangle) -> &[Edge] {
+    &triangle.edges[..triangle.edge_count as usize]
+}
+
 /// Whether no edge excludes all of a tile.
-fn touches(triangle: &Triangle, tile: &Rect) -> bool {
+fn touches(edges: &[Edge], tile: &Rect) -> bool {
     let last = (tile.x1 - tile.x0) as i32 - 1;
-    triangle.edges[..triangle.edge_count as usize].iter().all(|edge| {
+    edges.iter().all(|edge| {
         let corner = edge.at(tile.x0 as i32, tile.y0 as i32);
         let reach = i64::from(edge.a.max(0)) + i64::from(edge.b.max(0));
         corner + reach * i64::from(last) >= 0

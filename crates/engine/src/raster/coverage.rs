@@ -8,7 +8,7 @@ use fillrate_simd::{IntLanes, MaskLanes, Simd};
 
 use crate::kernel::block::STAMP;
 use crate::kernel::lanes::{COLUMN, ROW};
-use crate::setup::Triangle;
+use crate::setup::{Edge, Triangle};
 use crate::state::Rect;
 
 /// All fragments of a stamp.
@@ -43,7 +43,19 @@ impl TileCoverage {
     /// `None` where the triangle covers nothing of the tile.
     #[inline(always)]
     pub fn new<S: Simd>(s: S, triangle: &Triangle, tile: &Rect) -> Option<TileCoverage> {
-        let area = triangle.bounds.intersect(tile);
+        let edges = &triangle.edges[..triangle.edge_count as usize];
+        TileCoverage::of_edges(s, edges, &triangle.bounds, tile)
+    }
+
+    /// As [`TileCoverage::new`], of at most three edges and bounds.
+    #[inline(always)]
+    pub fn of_edges<S: Simd>(
+        s: S,
+        edges: &[Edge],
+        bounds: &Rect,
+        tile: &Rect,
+    ) -> Option<TileCoverage> {
+        let area = bounds.intersect(tile);
         if area.is_empty() {
             return None;
         }
@@ -51,7 +63,7 @@ impl TileCoverage {
         let (x, y) = (tile.x0 as i32, tile.y0 as i32);
         let mut out = TileCoverage { edges: [empty; 3], count: 0, x, y, area };
         let last = i64::from(tile.x1 - tile.x0 - 1);
-        for edge in &triangle.edges[..triangle.edge_count as usize] {
+        for edge in edges {
             let start = edge.at(x, y);
             let (a, b) = (i64::from(edge.a), i64::from(edge.b));
             if start + (a.max(0) + b.max(0)) * last < 0 {

@@ -4,11 +4,12 @@ use fillrate_simd::Simd;
 
 use super::coverage::{FULL, TileCoverage, rect_mask};
 use super::depth_range::{depth_range, is_hidden, update_bounds};
+use super::palette::{PaletteTile, draw_shape};
 use crate::bins::{Chunk, Entry, Grid};
 use crate::device::arena::{Arena, BatchState, Clear, Pixel, Run};
 use crate::kernel::block::{Block, SLOTS, STAMP, Slot};
 use crate::kernel::{ColorTile, Pass, Pipeline, StageList, Tile, run, stage_list};
-use crate::setup::Triangle;
+use crate::setup::{Shape, Triangle};
 use crate::state::{Dither, Rect};
 use crate::stats::Counters;
 use crate::target::{PixelFormat, Plane, TileCell, pack, stamp_index};
@@ -85,6 +86,10 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             for entry in chunk.tile(index) {
                 match *entry {
                     Entry::Triangle(i) => self.triangle(chunk, i, &mut target),
+                    Entry::Shape(i) => {
+                        self.finish(&chunk.triangles, &mut target);
+                        self.shape(&chunk.shapes[i as usize], &mut target);
+                    }
                     Entry::Clear(i) => {
                         self.finish(&chunk.triangles, &mut target);
                         self.clear(&self.arena.clears[i as usize], &mut target);
@@ -226,6 +231,20 @@ impl<'a, S: Simd> TilePainter<'a, S> {
                 self.counters.depth_fail += u64::from(inside.count_ones());
             }
         }
+    }
+
+    /// Draws a shape of the Quark profile.
+    #[inline(always)]
+    fn shape(&mut self, shape: &Shape, target: &mut Target<'_>) {
+        let tile = PaletteTile {
+            rect: target.rect,
+            visible: target.rect.intersect(&self.grid.bounds),
+            bits: self.grid.bits,
+            color: &mut *target.color,
+            depth: target.aux.as_deref_mut(),
+            counters: &mut self.counters,
+        };
+        draw_shape(self.s, &self.arena.palettes[shape.state as usize], shape, tile);
     }
 
     /// Fills a part of the tile, or all of it later.

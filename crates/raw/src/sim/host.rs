@@ -74,6 +74,11 @@ impl Host {
             Record::Wait => {
                 self.word().await;
             }
+            Record::AsyncReset => {
+                self.m.k.catch_up(self.me, &self.clock).await;
+                super::restart(&self.m);
+                self.word().await;
+            }
             Record::Read => return self.read().await,
             Record::Debug => {
                 if let Some(text) = self.next() {

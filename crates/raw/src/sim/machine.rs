@@ -17,8 +17,8 @@ use crate::state::{ModeBits, PrimInfo};
 
 /// From stage 1 to stage 2.
 pub enum PrimMessage {
-    /// A transformed primitive.
-    Prim(Box<TransPrim>),
+    /// The parts of a transformed primitive; at least one.
+    Prim(Vec<TransPrim>),
     /// A flush marker with the column it started from.
     Flush(usize),
 }
@@ -156,6 +156,18 @@ pub struct Row0 {
     pub mail: Vec<Mailbox>,
 }
 
+impl Row0 {
+    /// Empties the paths of the switches and forgets their state.
+    pub fn clear(&self) {
+        self.east.iter().chain(&self.to_proc).for_each(Link::clear);
+        self.west.iter().chain(&self.from_proc).for_each(Link::clear);
+        self.mail.iter().for_each(|mail| mail.letters.borrow_mut().clear());
+        self.ready.iter().for_each(|ready| ready.set(true));
+        self.active.set(None);
+        self.sleeping_offer.set(None);
+    }
+}
+
 /// Everything.
 pub struct Machine {
     /// The event queue.
@@ -239,6 +251,29 @@ impl Machine {
             costs,
             options,
         })
+    }
+
+    /// Ends every task but the host interface and empties all paths.
+    pub fn stop_tiles(&self) {
+        let handlers = self.tokens.iter().map(|token| token.handler.get());
+        let tiles = self.tiles.iter().map(|tile| tile.task.get());
+        let switches = self.row0.tasks.take();
+        tiles.chain(handlers).chain(switches).for_each(|task| self.k.kill(task));
+        self.host.clear();
+        self.device.clear();
+        self.row0.clear();
+        self.prims.iter().for_each(Link::clear);
+        self.frags.iter().for_each(Link::clear);
+        self.pixels.iter().for_each(Link::clear);
+        for post in &self.tokens {
+            post.wanted.set(false);
+            post.granted.set(None);
+            post.incoming.set(None);
+        }
+        for tile in &self.tiles {
+            tile.clock.set(self.k.now());
+            tile.wait.set(Wait::Nothing);
+        }
     }
 
     /// The number of the tile of a stage, 0..=3, in a column.

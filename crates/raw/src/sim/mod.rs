@@ -113,12 +113,8 @@ pub fn play_stream(
     let options = Options { columns: options.columns.clamp(1, MAX_COLUMNS), ..options };
     let mut core = Core::new(config);
     prepare(&mut core);
-    let first = core.state.prim.seq_num;
     let m = Machine::new(core, costs, options);
-    for column in 0..m.columns {
-        boot_column(&m, column);
-    }
-    m.pass_token(0, first);
+    boot(&m);
     let id = Rc::new(Cell::new(0));
     id.set(m.k.spawn(Box::pin(host::run(Rc::clone(&m), side, Rc::clone(&id)))));
     let stuck = match m.k.run() {
@@ -128,6 +124,22 @@ pub fn play_stream(
     let run = finish(&m);
     m.k.clear();
     (run, stuck)
+}
+
+/// Starts every tile, and sends the token on its way.
+fn boot(m: &Rc<Machine>) {
+    for column in 0..m.columns {
+        boot_column(m, column);
+    }
+    let first = m.core.borrow().state.prim.seq_num;
+    m.pass_token(0, first);
+}
+
+/// Stops everything but the host interface and starts again. Beyond the thesis.
+fn restart(m: &Rc<Machine>) {
+    m.stop_tiles();
+    m.core.borrow_mut().reset();
+    boot(m);
 }
 
 /// Starts the four tiles of a column and its interrupt handler.

@@ -76,10 +76,13 @@ impl Options {
     /// Words of a fragment from stage 2 to 3: tag, place, depth, texture, colour, intensity.
     pub(super) fn fragment_words(&self, needs: Interpolants, follows: bool) -> u32 {
         let place = if self.implicit_coordinates && follows { 0 } else { 2 };
+        // What the thesis does not have is sent only where it is used.
+        let beyond = 2 * (u32::from(needs.footprint) + u32::from(needs.more));
         if !self.minimal_messages {
-            return 6 + place;
+            return 6 + place + beyond;
         }
         1 + place
+            + beyond
             + u32::from(needs.z)
             + 2 * u32::from(needs.uv)
             + u32::from(needs.color)

@@ -9,7 +9,6 @@ use crate::host::Host;
 use crate::observer::Observer;
 use crate::opcode::Opcode;
 use crate::protocol::Record;
-use crate::stage::TransPrim;
 use crate::stage::combine::Textured;
 use crate::stage::composite::Outcome;
 use crate::stage::geometry::GeometryWork;
@@ -105,7 +104,7 @@ impl Observer for SingleTile {
         self.charge(self.costs.s1.dispatch);
     }
 
-    fn primitive(&mut self, _prim: &TransPrim, work: &GeometryWork) {
+    fn primitive(&mut self, work: &GeometryWork) {
         let costs = self.costs;
         charges::geometry(&costs, work, |burst| self.charge(burst));
         self.counters.drawn_prims += u64::from(self.counting() && work.visible);

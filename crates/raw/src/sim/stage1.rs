@@ -21,6 +21,8 @@ use crate::stream::{SceneEvent, SceneReader};
 const END_SCENE: u32 = u32::MAX;
 /// Words of a primitive on the dynamic network: two messages with headers, tag and 40 words.
 const PRIM_WORDS: u32 = 43;
+/// Words of a further part: two headers, a tag and three vertices.
+const PART_WORDS: u32 = 36;
 
 struct Stage1 {
     m: Rc<Machine>,
@@ -75,7 +77,9 @@ impl Stage1 {
         let mut replies = Replies::default();
         loop {
             let word = self.host_word().await;
-            let Some(op) = Opcode::in_command_mode(word) else {
+            let known = Opcode::in_command_mode(word);
+            let known = known.filter(|op| self.m.core.borrow().state.allows(*op));
+            let Some(op) = known else {
                 let offset = self.offset;
                 self.fault(StreamError::Opcode { word, offset, mode: "command" });
                 continue;
@@ -274,7 +278,7 @@ impl Stage1 {
         self.m.work(self.tile(), self.m.costs.s1.dispatch);
     }
 
-    async fn accept(&mut self, vertices: &[InputVertex; 3]) {
+    async fn accept(&mut self, vertices: &[InputVertex]) {
         let m = Rc::clone(&self.m);
         let errata = m.core.borrow().config.errata;
         let mut info = self.state.prim;
@@ -296,14 +300,15 @@ impl Stage1 {
         if early {
             self.go_ahead().await;
         }
-        let (prim, work) = geometry::process(&mut self.state, info, vertices, &errata);
+        let (parts, work) = geometry::process(&mut self.state, info, vertices, &errata);
         charges::geometry(&m.costs, &work, |burst| m.work(self.tile(), burst));
         m.count(|c| c.drawn_prims += u64::from(work.visible));
-        let words = m.options.prim_words(info.mode, PRIM_WORDS);
+        let further = (parts.len() as u32 - 1) * PART_WORDS;
+        let words = m.options.prim_words(info.mode, PRIM_WORDS) + further;
         m.work(self.tile(), m.costs.s1.send_word.times(words));
         let down = m.tile_number(1, self.column);
         let link = &m.prims[self.column];
-        m.send(self.tile(), link, down, PrimMessage::Prim(Box::new(prim)), words).await;
+        m.send(self.tile(), link, down, PrimMessage::Prim(parts), words).await;
         if numbered.rolled_over && !errata.rollover_keeps_lagged {
             self.flush().await;
         }
