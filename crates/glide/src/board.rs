@@ -17,6 +17,9 @@ use crate::translate::{draw_state, uses_texel};
 use crate::variables::Variables;
 use crate::vertex::VertexRules;
 
+/// A draw state and the textures of its units.
+pub type EngineState = (DrawState, [Option<Arc<Texture>>; MAX_TMUS]);
+
 /// What a texture unit's registers do not say.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct UnitSettings {
@@ -202,8 +205,7 @@ impl Board {
             return;
         }
         self.dirty = false;
-        let state = draw_state(&self.fbi, &self.tmus, &self.fog_table);
-        let textures = self.textures(&state);
+        let (state, textures) = self.engine_state();
         let color = self.color_surface(self.fbi.fbz_mode >> 14 & 3);
         let aux = self.buffers.as_ref().and_then(|buffers| buffers.aux);
         if let Some(color) = color {
@@ -219,6 +221,13 @@ impl Board {
                 [r, g, b].map(f32::to_bits)
             }),
         };
+    }
+
+    /// What the registers mean to the engine.
+    pub fn engine_state(&mut self) -> EngineState {
+        let state = draw_state(&self.fbi, &self.tmus, &self.fog_table);
+        let textures = self.textures(&state);
+        (state, textures)
     }
 
     fn textures(&mut self, state: &DrawState) -> [Option<Arc<Texture>>; MAX_TMUS] {

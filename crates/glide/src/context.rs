@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use fillrate_engine::{Counters, Device, DeviceConfig};
+use fillrate_engine::{Counters, Device, DeviceConfig, Vertex};
 
-use crate::board::Board;
+use crate::board::{Board, EngineState};
 use crate::buffers::Shown;
 use crate::card::Card;
 use crate::clock::Clock;
@@ -232,6 +232,20 @@ impl Context {
         if let Some(board) = self.board("grDrawTriangle") {
             board.draw_triangle([a, b, c]);
         }
+    }
+
+    /// What the current board's registers mean to the engine, with the textures
+    /// of its memory; `None` while it is closed.
+    pub fn engine_state(&mut self) -> Option<EngineState> {
+        self.board("engine_state").map(Board::engine_state)
+    }
+
+    /// A vertex as the current board hands it to the engine; `None` while it
+    /// is closed.
+    pub fn engine_vertex(&mut self, vertex: &GrVertex) -> Option<Vertex> {
+        let board = self.board("engine_vertex")?;
+        board.update();
+        Some(board.rules.convert(vertex))
     }
 
     /// The displayed buffer of the current board; `None` while it is closed.

@@ -37,6 +37,7 @@ mod translate;
 mod variables;
 mod vertex;
 
+pub use board::EngineState;
 pub use buffers::Shown;
 pub use call::Call;
 pub use context::{Context, GlideConfig, MAX_BOARDS};

@@ -1,27 +1,40 @@
 //! `fillrate bench`: the workloads W1 to W9 through the Glide API.
 
+mod board;
+mod chart;
+mod curves;
+mod digest;
+mod measure;
+mod peers;
+mod prepared;
 mod scene;
+mod size;
+mod surfaces;
 mod workload;
 
-use std::time::Instant;
+use std::path::{Path, PathBuf};
 
-use anyhow::{Result, bail};
+use anyhow::{Context as _, Result, bail};
 use clap::Args;
-use fillrate_engine::DeviceConfig;
-use serde::Serialize;
 
 use crate::Outcome;
 use crate::settings::Settings;
-use workload::{Prepared, WORKLOADS, Workload};
+use curves::Curves;
+use digest::Digests;
+use measure::{Job, Measured, WrongPicture};
+use peers::Peers;
+use size::Size;
+use workload::{WORKLOADS, Workload};
 
 /// Options of `fillrate bench`.
 #[derive(Args, Debug)]
 pub struct BenchArgs {
     #[command(flatten)]
     settings: Settings,
-    /// Size of the screen: 320x240, 512x384, 640x480 or 800x600
+    /// Size of the picture, up to 4096x4096. Sizes that no board shows are
+    /// drawn through the engine's API with the same states and vertices
     #[arg(long, value_name = "WxH", default_value = "640x480")]
-    size: String,
+    size: Size,
     /// Timed runs of each workload
     #[arg(long, value_name = "N", default_value_t = 7, value_parser = clap::value_parser!(u16).range(1..=1000))]
     runs: u16,
@@ -31,89 +44,98 @@ pub struct BenchArgs {
     /// Print one JSON object a workload
     #[arg(long)]
     json: bool,
+    /// Draw each workload once, compare its picture, and time nothing
+    #[arg(long)]
+    check: bool,
+    /// Take the pictures' digests from this file instead of the built-in ones
+    #[arg(long, value_name = "FILE")]
+    digests: Option<PathBuf>,
+    /// Print a table with the figures of other renderers, lines of
+    /// peer,workload,res,format,ms_frame,Mpix_med,Mpix_min,Mpix_max,Mtri_med,Mtri_min,Mtri_max,frames_s,checksum
+    #[arg(long, value_name = "CSV", num_args = 1..)]
+    vs: Vec<PathBuf>,
+    /// Take our figures for --vs from this output of --json instead of
+    /// measuring
+    #[arg(long, value_name = "FILE", requires = "vs")]
+    measured: Option<PathBuf>,
+    /// Measure curves over threads, resolution, triangle and texture size, and
+    /// write them into this folder
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["vs", "check"])]
+    curves: Option<PathBuf>,
 }
 
-/// What was measured of one workload.
-#[derive(Debug, Serialize)]
-struct Measured<'a> {
-    workload: &'a str,
-    size: &'a str,
-    format: &'static str,
-    threads: usize,
-    simd: &'static str,
-    unit: &'static str,
-    median: f64,
-    min: f64,
-    max: f64,
-    runs: u16,
-    digest: String,
-}
-
-/// The command.
+/// The command. Exit code 1 where a picture is not the expected one.
 pub fn bench(args: &BenchArgs) -> Result<Outcome> {
-    let device = args.settings.device();
-    let chosen: Vec<&Workload> =
-        WORKLOADS.iter().filter(|workload| workload.name.starts_with(&args.only)).collect();
+    match run(args) {
+        Err(error) if error.is::<WrongPicture>() => {
+            eprintln!("fillrate: {error}");
+            Ok(Outcome::Differs)
+        }
+        result => result.map(|()| Outcome::Same),
+    }
+}
+
+fn run(args: &BenchArgs) -> Result<()> {
+    let digests = Digests::load(args.digests.as_deref())?;
+    let peers = Peers::load(&args.vs)?;
+    if let Some(folder) = &args.curves {
+        let (device, runs) = (args.settings.device(), args.runs);
+        return curves::draw(folder, &Curves { device, runs, digests: &digests });
+    }
+    let measured = match &args.measured {
+        Some(file) => read(file)?,
+        None => measure(args, &digests)?,
+    };
+    if !args.vs.is_empty() {
+        print!("{}", peers.table(&measured));
+    }
+    Ok(())
+}
+
+/// Measures what was chosen, and tells so unless a table follows.
+fn measure(args: &BenchArgs, digests: &Digests) -> Result<Vec<Measured>> {
+    let chosen: Vec<Workload> =
+        WORKLOADS.into_iter().filter(|workload| workload.name.starts_with(&args.only)).collect();
     if chosen.is_empty() {
         bail!("no workload starts with '{}'", args.only);
     }
-    if !args.json {
+    let device = args.settings.device();
+    let quiet = !args.vs.is_empty();
+    if !args.json && !args.check && !quiet {
         println!("{:22} {:>9} {:>9} {:>9} unit    digest", "workload", "median", "min", "max");
     }
+    let mut all = Vec::new();
     for workload in chosen {
-        report(args, &measure(args, workload, &device)?)?;
-    }
-    Ok(Outcome::Same)
-}
-
-/// Draws a workload until it is warm, then times the runs. All frames must
-/// show the same picture.
-fn measure<'a>(
-    args: &'a BenchArgs,
-    workload: &'a Workload,
-    device: &DeviceConfig,
-) -> Result<Measured<'a>> {
-    let mut prepared = Prepared::new(workload, &args.size, device.clone())?;
-    prepared.frame();
-    let digest = prepared.digest()?;
-    let mut rates = Vec::new();
-    for _ in 0..args.runs {
-        // A run is as many frames as take a twentieth of a second.
-        let start = Instant::now();
-        let mut frames = 0;
-        while frames == 0 || start.elapsed().as_secs_f64() < 0.05 {
-            prepared.frame();
-            frames += 1;
+        let job = Job { workload, size: args.size, device: &device, texture_side: None };
+        let mut checked = job.check(digests)?;
+        if args.check {
+            println!("{:22} {}", workload.name, checked.digest);
+            continue;
         }
-        rates.push(prepared.count() * f64::from(frames) / start.elapsed().as_secs_f64() * 1e-6);
+        let measured = job.time(&mut checked, args.runs)?;
+        if args.json {
+            println!("{}", serde_json::to_string(&measured)?);
+        } else if !quiet {
+            report(&measured);
+        }
+        all.push(measured);
     }
-    if prepared.digest()? != digest {
-        bail!("{}: the picture changes from frame to frame", workload.name);
-    }
-    rates.sort_by(f64::total_cmp);
-    Ok(Measured {
-        workload: workload.name,
-        size: &args.size,
-        format: "565",
-        threads: device.threads,
-        simd: device.level.name(),
-        unit: workload.unit(),
-        median: rates[rates.len() / 2],
-        min: rates[0],
-        max: rates[rates.len() - 1],
-        runs: args.runs,
-        digest: format!("{digest:016x}"),
-    })
+    Ok(all)
 }
 
-fn report(args: &BenchArgs, m: &Measured<'_>) -> Result<()> {
-    if args.json {
-        println!("{}", serde_json::to_string(m)?);
-    } else {
-        println!(
-            "{:22} {:>9.2} {:>9.2} {:>9.2} {:7} {}",
-            m.workload, m.median, m.min, m.max, m.unit, m.digest
-        );
-    }
-    Ok(())
+fn report(m: &Measured) {
+    println!(
+        "{:22} {:>9.2} {:>9.2} {:>9.2} {:7} {}",
+        m.workload, m.median, m.min, m.max, m.unit, m.digest
+    );
+}
+
+/// The output of an earlier `--json`.
+fn read(file: &Path) -> Result<Vec<Measured>> {
+    let name = file.display();
+    let text = std::fs::read_to_string(file).with_context(|| format!("cannot read {name}"))?;
+    let lines = text.lines().filter(|line| !line.trim().is_empty());
+    lines
+        .map(|line| serde_json::from_str(line).with_context(|| format!("{name}: not a figure")))
+        .collect()
 }
