@@ -6,6 +6,7 @@ use super::ClearValues;
 use crate::kernel::Pipeline;
 use crate::setup::{Cull, Registers, Screen, Vertex};
 use crate::state::{DrawState, MAX_TMUS, Origin, Rect};
+use crate::target::{PixelFormat, Surface};
 use crate::texture::Texture;
 
 /// One command; the payloads lie in the arena's own lists.
@@ -53,6 +54,8 @@ pub(crate) struct BatchState {
     pub pipeline: Pipeline,
     /// The stages for ready-made fragments, once there are any.
     pub pixel_pipeline: Option<Box<Pipeline>>,
+    /// Of the colour surface.
+    pub format: PixelFormat,
     pub screen: Screen,
     /// The clip window on the screen, inside the target.
     pub clip: Rect,
@@ -62,14 +65,15 @@ impl BatchState {
     pub fn new(
         state: &DrawState,
         textures: &[Option<Arc<Texture>>; MAX_TMUS],
-        size: (u32, u32),
+        target: &Surface,
         has_aux: bool,
     ) -> BatchState {
-        let (width, height) = size;
+        let (width, height) = (target.width(), target.height());
         let screen = Screen { width, height, origin: state.origin };
         BatchState {
-            pipeline: Pipeline::new(state, textures, has_aux),
+            pipeline: Pipeline::new(state, textures, target.format(), has_aux),
             pixel_pipeline: None,
+            format: target.format(),
             screen,
             clip: screen_clip(state, &screen),
         }

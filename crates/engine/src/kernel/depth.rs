@@ -6,9 +6,9 @@
 use fillrate_simd::{FloatLanes, IntLanes, MaskLanes, Simd};
 
 use super::block::{Block, STAMP};
-use super::lanes::{COLUMN_F, ROW_F, iterate, wrap};
+use super::lanes::{ramp, ramp_wide, wrap};
 use super::{Pass, Tile};
-use crate::setup::{Plane64, Triangle};
+use crate::setup::{Triangle, Z};
 use crate::state::{Compare, DepthSource};
 
 /// The pseudo-float of a 48-bit w with 32 fraction bits: 4 exponent bits and
@@ -45,109 +45,137 @@ fn float_w_lanes<S: Simd>(s: S, w: S::F) -> S::I {
     s.splat(0).select(value, near | negative)
 }
 
-/// A 64-bit attribute at fragments `j..` of a stamp, in floats; the triangle
-/// must be exact.
+/// Iterates z of one stamp into `z`.
 #[inline(always)]
-pub(crate) fn iterate_wide<S: Simd>(s: S, plane: &Plane64, x: i32, y: i32, j: usize) -> S::F {
-    s.splat_f(plane.at(x, y) as f64)
-        + (s.load_f(&COLUMN_F[j..]) * s.splat_f(plane.dx as f64)
-            + s.load_f(&ROW_F[j..]) * s.splat_f(plane.dy as f64))
+fn z_of_stamp<S: Simd>(s: S, base: i32, ramp: &[i32; STAMP], z: &mut [i32]) {
+    for j in (0..STAMP).step_by(S::LANES) {
+        let value = s.splat(base) + s.load(&ramp[j..]);
+        s.store(wrap::<S, 20, 16>(s, value.shr(12)), &mut z[j..]);
+    }
 }
 
 /// Iterates z into `block.z`.
 #[inline(always)]
-fn z_of_slot<S: Simd>(s: S, block: &mut Block, triangle: &Triangle, slot: usize) {
-    let at = block.slots[slot];
-    for j in (0..STAMP).step_by(S::LANES) {
-        let z = iterate(s, &triangle.z, at.x, at.y, j);
-        s.store(wrap::<S, 20, 16>(s, z.shr(12)), &mut block.z.0[slot * STAMP + j..]);
+fn iterate_z<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
+    let Block { count, slots, z, .. } = block;
+    let mut z_ramp = [0; STAMP];
+    let mut current = u32::MAX;
+    for (slot, at) in slots[..*count].iter().enumerate() {
+        let narrow = &pass.triangles[at.triangle as usize].narrow;
+        if at.triangle != current {
+            current = at.triangle;
+            ramp(s, narrow.dx[Z], narrow.dy[Z], &mut z_ramp);
+        }
+        z_of_stamp(s, narrow.value(Z, at.x, at.y), &z_ramp, &mut z.0[slot * STAMP..]);
     }
 }
 
 /// Iterates the pseudo-float w into `block.w`.
 #[inline(always)]
-fn w_of_slot<S: Simd>(s: S, block: &mut Block, triangle: &Triangle, slot: usize) {
-    let at = block.slots[slot];
-    if !triangle.exact {
-        for (i, out) in block.w.0[slot * STAMP..][..STAMP].iter_mut().enumerate() {
-            let (x, y) = (at.x + (i & 3) as i32, at.y + (i >> 2) as i32);
-            *out = i32::from(float_w(triangle.w.at(x, y)));
+fn iterate_w<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
+    let Block { count, slots, w, .. } = block;
+    let mut w_ramp = [0.0; STAMP];
+    let mut current = u32::MAX;
+    for (slot, at) in slots[..*count].iter().enumerate() {
+        let triangle = &pass.triangles[at.triangle as usize];
+        let out = &mut w.0[slot * STAMP..][..STAMP];
+        if !triangle.exact {
+            exact_w_of_stamp(triangle, at.x, at.y, out);
+            continue;
         }
-        return;
-    }
-    for j in (0..STAMP).step_by(S::LANES) {
-        let w = iterate_wide(s, &triangle.w, at.x, at.y, j);
-        s.store(float_w_lanes(s, w), &mut block.w.0[slot * STAMP + j..]);
+        if at.triangle != current {
+            current = at.triangle;
+            ramp_wide(s, &triangle.w, &mut w_ramp);
+        }
+        let base = s.splat_f(triangle.w.at(at.x, at.y) as f64);
+        for j in (0..STAMP).step_by(S::LANES) {
+            s.store(float_w_lanes(s, base + s.load_f(&w_ramp[j..])), &mut out[j..]);
+        }
     }
 }
 
-/// Computes z and w where the pipeline needs them, and the biased depth.
+/// The pseudo-float w of a stamp whose iterators are too large for floats.
+fn exact_w_of_stamp(triangle: &Triangle, x: i32, y: i32, out: &mut [i32]) {
+    for (i, out) in out.iter_mut().enumerate() {
+        *out = i32::from(float_w(triangle.w.at(x + (i & 3) as i32, y + (i >> 2) as i32)));
+    }
+}
+
+/// Computes z and w where the pipeline needs them.
 #[inline(always)]
 pub(crate) fn depth_values<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
     let needs = &pass.pipeline.needs;
-    for slot in 0..block.count {
-        let triangle = &pass.triangles[block.slots[slot].triangle as usize];
-        if needs.z {
-            z_of_slot(s, block, triangle, slot);
-        }
-        if needs.w {
-            w_of_slot(s, block, triangle, slot);
-        }
+    if needs.z {
+        iterate_z(s, block, pass);
     }
-    bias_depth(s, block, pass);
-}
-
-/// Makes `block.depth` from z or w and the bias.
-#[inline(always)]
-pub(crate) fn bias_depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
-    let depth = &pass.pipeline.state.depth;
-    let bias = s.splat(i32::from(depth.bias.unwrap_or(0)));
-    let source = match depth.source {
-        DepthSource::Z => &block.z,
-        DepthSource::FloatW => &block.w,
-    };
-    for k in (0..block.len()).step_by(S::LANES) {
-        let biased = (s.load(&source.0[k..]) + bias).max(s.splat(0)).min(s.splat(0xffff));
-        s.store(biased, &mut block.depth.0[k..]);
+    if needs.w {
+        iterate_w(s, block, pass);
     }
 }
 
-/// Lanes where `source OP reference`, as bits.
+/// Lanes where `source OP reference`.
 #[inline(always)]
-pub(crate) fn compare<S: Simd>(op: Compare, source: S::I, reference: S::I) -> u32 {
-    let all = (1u64 << S::LANES) as u32 - 1;
+pub(crate) fn compare<S: Simd>(s: S, op: Compare, source: S::I, reference: S::I) -> S::M {
+    let one = s.splat(1);
     match op {
-        Compare::Never => 0,
-        Compare::Less => reference.gt(source).bits(),
-        Compare::Equal => source.eq(reference).bits(),
-        Compare::LessEqual => !source.gt(reference).bits() & all,
-        Compare::Greater => source.gt(reference).bits(),
-        Compare::NotEqual => !source.eq(reference).bits() & all,
-        Compare::GreaterEqual => !reference.gt(source).bits() & all,
-        Compare::Always => all,
+        Compare::Never => s.mask(0),
+        Compare::Less => reference.gt(source),
+        Compare::Equal => source.eq(reference),
+        Compare::LessEqual => (reference + one).gt(source),
+        Compare::Greater => source.gt(reference),
+        Compare::NotEqual => source.gt(reference) | reference.gt(source),
+        Compare::GreaterEqual => (source + one).gt(reference),
+        Compare::Always => s.mask(u32::MAX),
     }
 }
 
-/// Drops the fragments that fail the depth test.
+/// Biases the depth values into `block.depth` where something later reads
+/// them, drops the fragments that fail the depth test, and writes the depth of
+/// the others where nothing later can drop them.
 #[inline(always)]
-pub(crate) fn depth_test<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
-    let depth = &pass.pipeline.state.depth;
-    let Some(op) = depth.test else { return };
+pub(crate) fn test_depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    let pipeline = pass.pipeline;
+    if !pipeline.needs.depth {
+        return;
+    }
+    let depth = &pipeline.state.depth;
+    let late = pipeline.needs.late_depth_write;
+    let writes = pipeline.writes_depth() && !late;
+    let bias = s.splat(i32::from(depth.bias.unwrap_or(0)));
     let constant = depth.compare_constant.map(i32::from);
-    let mut passed = 0u64;
-    for slot in 0..block.count {
-        let at = block.slots[slot].at as usize;
+    let Block { live, count, slots, z, w, depth: kept, .. } = block;
+    let values = match depth.source {
+        DepthSource::Z => z,
+        DepthSource::FloatW => w,
+    };
+    let before = live.count_ones();
+    for (slot, at) in slots[..*count].iter().enumerate() {
         for j in (0..STAMP).step_by(S::LANES) {
             let k = slot * STAMP + j;
-            let source = match constant {
-                Some(value) => s.splat(value),
-                None => s.load(&block.depth.0[k..]),
-            };
-            let stored = s.load16(&tile.aux[at + j..]);
-            passed |= u64::from(compare::<S>(op, source, stored)) << k;
+            let mut value = s.load(&values.0[k..]);
+            if depth.bias.is_some() {
+                value = (value + bias).max(s.splat(0)).min(s.splat(0xffff));
+            }
+            if late {
+                s.store(value, &mut kept.0[k..]);
+            }
+            let mut lanes = s.mask((*live >> k) as u32);
+            if let Some(op) = depth.test {
+                let source = match constant {
+                    Some(constant) => s.splat(constant),
+                    None => value,
+                };
+                let stored = s.load16(&tile.aux[at.at as usize + j..]);
+                lanes = lanes & compare(s, op, source, stored);
+                let all = (1u64 << S::LANES) - 1;
+                *live &= !(all << k) | u64::from(lanes.bits()) << k;
+            }
+            if writes {
+                s.store16(value, &mut tile.aux[at.at as usize + j..], lanes);
+            }
         }
     }
-    tile.counters.depth_fail += block.keep(passed);
+    tile.counters.depth_fail += u64::from(before - live.count_ones());
 }
 
 /// Writes the depth of the fragments left.

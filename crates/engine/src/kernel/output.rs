@@ -186,33 +186,67 @@ pub(crate) fn blend_stage<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, til
 pub(crate) fn write<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
     let state = &pass.pipeline.state;
     tile.counters.pixels_out += u64::from(block.live.count_ones());
+    if state.aux_write == AuxWrite::Alpha && !tile.aux.is_empty() {
+        write_alpha(s, block, tile);
+    }
+    if !state.color_write {
+        return;
+    }
+    let dither = (state.dither != Dither::Off).then_some(&pass.pipeline.dither);
+    match &mut tile.color {
+        ColorTile::Bits16(pixels, PixelFormat::Rgb565) => {
+            write16(s, block, dither, PixelFormat::Rgb565, pixels);
+        }
+        ColorTile::Bits16(pixels, format) => write16(s, block, dither, *format, pixels),
+        ColorTile::Bits32(pixels, format) => write32(s, block, *format, pixels),
+    }
+}
+
+/// One loop with and one without dithering; the format is known when it is
+/// given as a constant.
+#[inline(always)]
+fn write16<S: Simd>(
+    s: S,
+    block: &Block,
+    dither: Option<&[i32; STAMP]>,
+    format: PixelFormat,
+    pixels: &mut [u16],
+) {
     for slot in 0..block.count {
         let at = block.slots[slot].at as usize;
         for j in (0..STAMP).step_by(S::LANES) {
             let k = slot * STAMP + j;
-            let live = s.mask((block.live >> k) as u32);
             let color = [s.load(&block.color.rb.0[k..]), s.load(&block.color.ga.0[k..])];
-            let dither = match state.dither {
-                Dither::Off => None,
-                _ => Some(s.load(&pass.pipeline.dither[j..])),
+            let packed = match dither {
+                Some(pattern) => pack(s, format, color, Some(s.load(&pattern[j..]))),
+                None => pack(s, format, color, None),
             };
-            if state.color_write {
-                match &mut tile.color {
-                    ColorTile::Bits16(pixels, format) => {
-                        s.store16(pack(s, *format, color, dither), &mut pixels[at + j..], live);
-                    }
-                    ColorTile::Bits32(pixels, format) => {
-                        s.store_masked(
-                            pack(s, *format, color, dither),
-                            &mut pixels[at + j..],
-                            live,
-                        );
-                    }
-                }
-            }
-            if state.aux_write == AuxWrite::Alpha && !tile.aux.is_empty() {
-                s.store16(color[1].shr(16), &mut tile.aux[at + j..], live);
-            }
+            s.store16(packed, &mut pixels[at + j..], s.mask((block.live >> k) as u32));
+        }
+    }
+}
+
+#[inline(always)]
+fn write32<S: Simd>(s: S, block: &Block, format: PixelFormat, pixels: &mut [i32]) {
+    for slot in 0..block.count {
+        let at = block.slots[slot].at as usize;
+        for j in (0..STAMP).step_by(S::LANES) {
+            let k = slot * STAMP + j;
+            let color = [s.load(&block.color.rb.0[k..]), s.load(&block.color.ga.0[k..])];
+            let packed = pack(s, format, color, None);
+            s.store_masked(packed, &mut pixels[at + j..], s.mask((block.live >> k) as u32));
+        }
+    }
+}
+
+#[inline(always)]
+fn write_alpha<S: Simd>(s: S, block: &Block, tile: &mut Tile<'_>) {
+    for slot in 0..block.count {
+        let at = block.slots[slot].at as usize;
+        for j in (0..STAMP).step_by(S::LANES) {
+            let k = slot * STAMP + j;
+            let alpha = s.load(&block.color.ga.0[k..]).shr(16);
+            s.store16(alpha, &mut tile.aux[at + j..], s.mask((block.live >> k) as u32));
         }
     }
 }

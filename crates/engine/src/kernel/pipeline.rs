@@ -3,14 +3,15 @@
 use std::sync::Arc;
 
 use super::block::{Colors, STAMP};
-use super::combine::Switches;
+use super::combine::{Arithmetic, Switches};
 use super::fog::fog_entries;
 use super::lanes::dither_pattern;
 use super::texture::UnitPlan;
 use crate::state::{
-    AlphaLocal, AuxWrite, ColorLocal, Compare, DepthSource, Dither, DrawState, Factor, FogAmount,
+    Addend, AlphaLocal, AuxWrite, ColorLocal, CombineUnit, Compare, DepthSource, Dither, DrawState, Factor, FogAmount,
     MAX_TMUS, Other,
 };
+use crate::target::PixelFormat;
 use crate::texture::{Texture, TextureDesc};
 
 /// One stage of the list.
@@ -56,6 +57,9 @@ pub(crate) struct Pipeline {
     /// Texture units that iterate coordinates: the highest in use, plus one.
     pub unit_count: usize,
     pub combine: Switches,
+    pub arithmetic: Arithmetic,
+    /// Something after the combine units reads alpha.
+    pub reads_alpha: bool,
     pub color0: Colors,
     pub color1: Colors,
     pub zero: Colors,
@@ -66,10 +70,11 @@ pub(crate) struct Pipeline {
 }
 
 impl Pipeline {
-    /// Compiles a state for a target with or without an aux plane.
+    /// Compiles a state for a target of `format`, with or without an aux plane.
     pub fn new(
         state: &DrawState,
         textures: &[Option<Arc<Texture>>; MAX_TMUS],
+        format: PixelFormat,
         has_aux: bool,
     ) -> Pipeline {
         let mut state = *state;
@@ -82,12 +87,16 @@ impl Pipeline {
         }
         let needs = needs(&state);
         let units = units(&state, textures);
+        let reads_alpha = reads_alpha(&state, format);
+        let (color, alpha) = (&state.color_combine.unit, &state.alpha_combine.unit);
         Pipeline {
-            stages: stages(&state, &needs, &units),
+            stages: stages(&state, &needs, &units, reads_alpha),
+            arithmetic: Arithmetic::of(color, alpha, reads_alpha),
+            reads_alpha,
             needs,
             unit_count: units.iter().rposition(Option::is_some).map_or(0, |i| i + 1),
             units,
-            combine: Switches::new(&state.color_combine.unit, &state.alpha_combine.unit),
+            combine: Switches::new(color, alpha),
             color0: Colors::splat(state.color0),
             color1: Colors::splat(state.color1),
             zero: Colors::splat(0),
@@ -100,12 +109,12 @@ impl Pipeline {
 
     /// Compiles the stages that ready-made fragments pass: no texturing, no
     /// combining, and a depth without bias.
-    pub fn for_pixels(state: &DrawState, has_aux: bool) -> Pipeline {
+    pub fn for_pixels(state: &DrawState, format: PixelFormat, has_aux: bool) -> Pipeline {
         let mut state = *state;
         state.depth.bias = None;
         state.units = [None; MAX_TMUS];
         state.color_combine.other = Other::Iterated;
-        let mut pipeline = Pipeline::new(&state, &[const { None }; MAX_TMUS], has_aux);
+        let mut pipeline = Pipeline::new(&state, &[const { None }; MAX_TMUS], format, has_aux);
         let made = [Stage::IterateColors, Stage::Combine];
         pipeline.stages.retain(|stage| !made.contains(stage));
         for stage in &mut pipeline.stages {
@@ -119,6 +128,12 @@ impl Pipeline {
     /// The texture chain's output: `chain`, or zeros where texturing is off.
     pub fn texture_output<'a>(&'a self, chain: &'a Colors) -> &'a Colors {
         if self.unit_count > 0 { chain } else { &self.zero }
+    }
+
+    /// Whether iterated colours are the fragment's colours, so that no combine
+    /// stage runs.
+    pub fn passes_iterated(&self) -> bool {
+        !self.stages.contains(&Stage::Combine)
     }
 
     /// Whether anything is written to the aux plane.
@@ -193,10 +208,56 @@ fn reads_texture(state: &DrawState) -> bool {
         || texture_factor(ac.unit.factor)
 }
 
+/// Whether anything after the combine units reads alpha.
+fn reads_alpha(state: &DrawState, format: PixelFormat) -> bool {
+    format != PixelFormat::Rgb565
+        || state.alpha_test.is_some()
+        || state.blend.is_some()
+        || state.aux_write == AuxWrite::Alpha
+}
+
+/// What a combine unit passes on unchanged, if it does no more.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Passed {
+    Other,
+    Local,
+}
+
+fn passed(unit: &CombineUnit<Factor>) -> Option<Passed> {
+    if unit.subtract_local || unit.invert {
+        return None;
+    }
+    let whole = unit.factor == Factor::Zero && unit.one_minus;
+    match (unit.zero_other, unit.add) {
+        (false, Addend::Zero) if whole => Some(Passed::Other),
+        (true, Addend::Local) => Some(Passed::Local),
+        _ => None,
+    }
+}
+
+/// Whether the fragments' colours are the iterated ones, and no other stage
+/// reads those.
+fn passes_iterated(state: &DrawState, reads_alpha: bool) -> bool {
+    let (cc, ac) = (&state.color_combine, &state.alpha_combine);
+    let color = match passed(&cc.unit) {
+        Some(Passed::Other) => cc.other == Other::Iterated,
+        Some(Passed::Local) => cc.local == ColorLocal::Iterated,
+        None => false,
+    };
+    let alpha = match passed(&ac.unit) {
+        Some(Passed::Other) => ac.other == Other::Iterated,
+        Some(Passed::Local) => ac.local == AlphaLocal::Iterated,
+        None => false,
+    };
+    let fogged = state.fog.is_some_and(|fog| fog.amount == FogAmount::IteratedAlpha);
+    color && (alpha || !reads_alpha) && state.chroma_key.is_none() && !fogged
+}
+
 fn stages(
     state: &DrawState,
     needs: &Needs,
     units: &[Option<Box<UnitPlan>>; MAX_TMUS],
+    reads_alpha: bool,
 ) -> Vec<Stage> {
     let mut list = Vec::with_capacity(16);
     let mut add = |wanted: bool, stage: Stage| {
@@ -216,7 +277,7 @@ fn stages(
     }
     add(needs.colors, Stage::IterateColors);
     add(state.chroma_key.is_some(), Stage::ChromaKey);
-    add(true, Stage::Combine);
+    add(!passes_iterated(state, reads_alpha), Stage::Combine);
     add(state.alpha_test.is_some(), Stage::AlphaTest);
     add(state.fog.is_some(), Stage::Fog);
     add(state.blend.is_some(), Stage::Blend);

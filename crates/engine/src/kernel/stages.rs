@@ -32,15 +32,6 @@ macro_rules! stage {
     };
 }
 
-/// The depth test, and the write where nothing later can drop a fragment.
-#[inline(always)]
-fn test_depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
-    depth::depth_test(s, block, pass, tile);
-    if pass.pipeline.writes_depth() && !pass.pipeline.needs.late_depth_write {
-        depth::depth_write(s, block, tile);
-    }
-}
-
 macro_rules! unit_stages {
     ($($address:ident $fetch:ident $combine:ident $index:literal)*) => {$(
         stage!($address, |s, block, pass, _tile| {
@@ -62,9 +53,9 @@ unit_stages! {
 }
 stage!(depth_stage, |s, block, pass, tile| {
     depth::depth_values(s, block, pass);
-    test_depth(s, block, pass, tile)
+    depth::test_depth(s, block, pass, tile)
 });
-stage!(ready_depth, |s, block, pass, tile| test_depth(s, block, pass, tile));
+stage!(ready_depth, |s, block, pass, tile| depth::test_depth(s, block, pass, tile));
 stage!(iterate_colors, |s, block, pass, _tile| iterate::iterate_colors(s, block, pass));
 stage!(chroma_key, |s, block, pass, tile| chroma_key::chroma_key(s, block, pass, tile));
 stage!(combine, |s, block, pass, _tile| combine::combine(s, block, pass));

@@ -2,7 +2,7 @@
 
 use crate::kernel::Pipeline;
 use crate::kernel::depth::float_w;
-use crate::setup::Triangle;
+use crate::setup::{Triangle, Z};
 use crate::state::{AuxWrite, Compare, DepthSource, Rect};
 use crate::target::TileCell;
 
@@ -17,9 +17,9 @@ pub(crate) fn depth_range(
     let (right, down) = (i64::from(area.x1 - area.x0 - 1), i64::from(area.y1 - area.y0 - 1));
     let (low, high) = match pipeline.state.depth.source {
         DepthSource::Z => {
-            let z = &triangle.z;
-            let corner = i64::from(z.at(x, y));
-            let (dx, dy) = (i64::from(z.dx) * right, i64::from(z.dy) * down);
+            let narrow = &triangle.narrow;
+            let corner = i64::from(narrow.value(Z, x, y));
+            let (dx, dy) = (i64::from(narrow.dx[Z]) * right, i64::from(narrow.dy[Z]) * down);
             let low = corner + dx.min(0) + dy.min(0);
             let high = corner + dx.max(0) + dy.max(0);
             if low < 0 || high >= 0x1_0000 << 12 {

@@ -2,7 +2,7 @@
 
 use fillrate_simd::Simd;
 
-use super::coverage::{FULL, TileCoverage, rect_mask};
+use super::coverage::{FULL, GROUP, TileCoverage, rect_mask};
 use super::depth_range::{depth_range, is_hidden, update_bounds};
 use crate::bins::{Chunk, Entry, Grid};
 use crate::device::arena::{Arena, BatchState, Clear, Pixel, Run};
@@ -22,8 +22,20 @@ pub(crate) struct TilePainter<'a, S: Simd> {
     pub counters: Counters,
     block: Box<Block>,
     list: StageList<S>,
-    /// The pipeline that `list` belongs to.
-    current: Option<(u32, bool)>,
+    /// The state that `list` belongs to.
+    current: Option<Current<'a>>,
+    /// Slots of the block that other triangles than the current one hold.
+    foreign: usize,
+}
+
+/// A draw state in use.
+#[derive(Clone, Copy)]
+struct Current<'a> {
+    state: u32,
+    /// Its stages for ready-made fragments.
+    pixels: bool,
+    pipeline: &'a Pipeline,
+    clip: &'a Rect,
 }
 
 /// One tile of the target while it is drawn.
@@ -67,6 +79,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             block: Box::new(Block::new()),
             list: StageList::new(),
             current: None,
+            foreign: 0,
         }
     }
 
@@ -103,45 +116,49 @@ impl<'a, S: Simd> TilePainter<'a, S> {
         &self.arena.states[state as usize]
     }
 
-    /// Makes `list` the stages of a state; what is pending must be finished.
-    fn select(&mut self, state: u32, pixels: bool) -> &'a Pipeline {
+    /// Makes `pipeline` and `list` those of a state; what is pending must be
+    /// finished.
+    fn select(&mut self, state: u32, pixels: bool) {
         let batch = self.batch(state);
         let pipeline = match (&batch.pixel_pipeline, pixels) {
             (Some(pipeline), true) => pipeline,
             _ => &batch.pipeline,
         };
-        if self.current != Some((state, pixels)) {
-            stage_list(&pipeline.stages, &mut self.list);
-            self.current = Some((state, pixels));
-        }
-        pipeline
+        stage_list(&pipeline.stages, &mut self.list);
+        self.current = Some(Current { state, pixels, pipeline, clip: &batch.clip });
     }
 
     /// Draws the fragments gathered so far.
     #[inline(always)]
     fn finish(&mut self, triangles: &[Triangle], target: &mut Target<'_>) {
+        let Some(current) = &self.current else { return };
         if self.block.count == 0 {
             return;
         }
-        let Some((state, pixels)) = self.current else { return };
-        let pipeline = self.select(state, pixels);
-        let pass = Pass { pipeline, triangles };
+        let pass = Pass { pipeline: current.pipeline, triangles };
         let mut tile = target.tile(self.format, &mut self.counters);
         run(self.s, &self.list, &mut self.block, &pass, &mut tile);
+        self.foreign = 0;
     }
 
     /// Adds a stamp's fragments to the block, drawing first what is in the
     /// way: a full block, or other fragments of the same stamp.
     #[inline(always)]
     fn push(&mut self, slot: Slot, mask: u32, triangles: &[Triangle], target: &mut Target<'_>) {
-        let taken = |block: &Block| block.slots[..block.count].iter().any(|s| s.at == slot.at);
-        if self.block.count == SLOTS || taken(&self.block) {
+        let count = self.block.count;
+        // A triangle has a stamp once, so only other triangles can hold it.
+        let mut held = false;
+        for other in &self.block.slots[..self.foreign.min(SLOTS)] {
+            held |= other.at == slot.at;
+        }
+        if held || count == SLOTS {
             self.finish(triangles, target);
         }
         let block = &mut *self.block;
-        block.slots[block.count] = slot;
-        block.live |= u64::from(mask) << (block.count * STAMP);
-        block.count += 1;
+        let count = block.count & (SLOTS - 1);
+        block.slots[count] = slot;
+        block.live |= u64::from(mask) << (count * STAMP);
+        block.count = count + 1;
     }
 
     #[inline(always)]
@@ -149,27 +166,41 @@ impl<'a, S: Simd> TilePainter<'a, S> {
         let triangle = &chunk.triangles[index as usize];
         let s = self.s;
         let Some(coverage) = TileCoverage::new(s, triangle, &target.rect) else { return };
-        if self.current != Some((triangle.state, false)) {
-            self.finish(&chunk.triangles, target);
-        }
-        let pipeline = self.select(triangle.state, false);
-        let clip = &self.batch(triangle.state).clip;
-        if self.is_hidden(pipeline, triangle, &coverage, clip, target) {
+        let current = match self.current {
+            Some(current) if current.state == triangle.state && !current.pixels => current,
+            _ => {
+                self.finish(&chunk.triangles, target);
+                self.select(triangle.state, false);
+                let Some(current) = self.current else { return };
+                current
+            }
+        };
+        if self.is_hidden(current.pipeline, triangle, &coverage, current.clip, target) {
             return;
         }
         target.materialize();
-        let area = coverage.area;
-        for y in (area.y0 & !3..area.y1).step_by(4) {
-            for x in (area.x0 & !3..area.x1).step_by(4) {
-                let Some(mask) = coverage.stamp(s, x, y) else { break };
-                if mask == 0 {
-                    continue;
-                }
-                self.counters.pixels_in += u64::from(mask.count_ones());
-                let mask = mask & rect_mask(clip, x, y);
-                if mask != 0 {
-                    let at = stamp_index(x - target.rect.x0, y - target.rect.y0, self.grid.bits);
-                    let slot = Slot { triangle: index, at: at as u32, x: x as i32, y: y as i32 };
+        let clipped = !current.clip.contains(&coverage.area);
+        self.foreign = self.block.count;
+        for y in coverage.rows() {
+            for first in coverage.groups() {
+                let group = coverage.group(s, first, y);
+                let mut stamps = group.full | group.partial;
+                while stamps != 0 {
+                    let bit = stamps & stamps.wrapping_neg();
+                    stamps ^= bit;
+                    let x = first + 4 * bit.trailing_zeros();
+                    let mut mask =
+                        if group.full & bit != 0 { FULL } else { coverage.stamp(s, x, y) };
+                    self.counters.pixels_in += u64::from(mask.count_ones());
+                    if clipped {
+                        mask &= rect_mask(current.clip, x, y);
+                    }
+                    if mask == 0 {
+                        continue;
+                    }
+                    let (dx, dy) = (x - target.rect.x0, y - target.rect.y0);
+                    let at = stamp_index(dx, dy, self.grid.bits) as u32;
+                    let slot = Slot { triangle: index, at, x: x as i32, y: y as i32 };
                     self.push(slot, mask, &chunk.triangles, target);
                 }
             }
@@ -218,12 +249,17 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             self.counters.depth_fail += area.intersect(clip).area();
             return;
         }
-        for y in (area.y0 & !3..area.y1).step_by(4) {
-            for x in (area.x0 & !3..area.x1).step_by(4) {
-                let Some(mask) = coverage.stamp(self.s, x, y) else { break };
-                let inside = mask & rect_mask(clip, x, y);
-                self.counters.pixels_in += u64::from(mask.count_ones());
-                self.counters.depth_fail += u64::from(inside.count_ones());
+        for y in coverage.rows() {
+            for first in coverage.groups() {
+                let group = coverage.group(self.s, first, y);
+                let stamps = group.full | group.partial;
+                for i in (0..GROUP as u32).filter(|i| stamps >> i & 1 != 0) {
+                    let x = first + 4 * i;
+                    let mask = coverage.stamp(self.s, x, y);
+                    let inside = mask & rect_mask(clip, x, y);
+                    self.counters.pixels_in += u64::from(mask.count_ones());
+                    self.counters.depth_fail += u64::from(inside.count_ones());
+                }
             }
         }
     }
@@ -246,7 +282,9 @@ impl<'a, S: Simd> TilePainter<'a, S> {
     /// Draws the part of a run of ready-made fragments inside the tile.
     #[inline(always)]
     fn pixels(&mut self, run: &Run, target: &mut Target<'_>) {
-        self.select(run.state, true);
+        if !self.current.is_some_and(|now| now.state == run.state && now.pixels) {
+            self.select(run.state, true);
+        }
         target.materialize();
         let clip = &self.batch(run.state).clip;
         let from = run.x.max(target.rect.x0);

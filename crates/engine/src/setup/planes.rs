@@ -41,22 +41,45 @@ impl Edge {
     }
 }
 
-/// A 32-bit attribute: its value at screen pixel (x, y) is `c + x * dx +
-/// y * dy`, wrapping.
+/// How many 32-bit attributes are iterated together: the five that exist,
+/// padded to a vector.
+pub(crate) const NARROW: usize = 8;
+/// Lane of z; red, green, blue and alpha are lanes 0 to 3.
+pub(crate) const Z: usize = 4;
+
+/// The 32-bit attributes: red, green, blue, alpha (12.12 in the top 24 bits)
+/// and z (20.12). The value at screen pixel (x, y) is `c + x * dx + y * dy`,
+/// wrapping.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Plane32 {
-    pub c: i32,
-    pub dx: i32,
-    pub dy: i32,
+pub(crate) struct Narrow {
+    pub c: [i32; NARROW],
+    pub dx: [i32; NARROW],
+    pub dy: [i32; NARROW],
 }
 
-impl Plane32 {
-    pub fn at(&self, x: i32, y: i32) -> i32 {
-        self.c.wrapping_add(self.dx.wrapping_mul(x)).wrapping_add(self.dy.wrapping_mul(y))
+impl Narrow {
+    /// All attributes at a pixel.
+    #[inline(always)]
+    pub fn at(&self, x: i32, y: i32) -> [i32; NARROW] {
+        let mut out = self.c;
+        for (i, out) in out.iter_mut().enumerate() {
+            *out = out
+                .wrapping_add(self.dx[i].wrapping_mul(x))
+                .wrapping_add(self.dy[i].wrapping_mul(y));
+        }
+        out
     }
 
-    fn shl(self, count: u32) -> Plane32 {
-        Plane32 { c: self.c << count, dx: self.dx << count, dy: self.dy << count }
+    /// One attribute at a pixel.
+    #[inline(always)]
+    pub fn value(&self, lane: usize, x: i32, y: i32) -> i32 {
+        self.c[lane]
+            .wrapping_add(self.dx[lane].wrapping_mul(x))
+            .wrapping_add(self.dy[lane].wrapping_mul(y))
+    }
+
+    fn set(&mut self, lane: usize, [c, dx, dy]: [i32; 3]) {
+        (self.c[lane], self.dx[lane], self.dy[lane]) = (c, dx, dy);
     }
 }
 
@@ -101,10 +124,8 @@ pub(crate) struct Triangle {
     pub edges: [Edge; 3],
     /// Every covered pixel of the surface lies inside; not empty.
     pub bounds: Rect,
-    /// Red, green, blue, alpha; 12.12 in the top 24 bits.
-    pub color: [Plane32; 4],
-    /// 20.12.
-    pub z: Plane32,
+    /// Colours and z.
+    pub narrow: Narrow,
     pub w: Plane64,
     /// s, t, w of each unit.
     pub tmu: [[Plane64; 3]; MAX_TMUS],
@@ -143,8 +164,7 @@ pub(crate) fn prepare(
         edge_count: 0,
         edges: [Edge::default(); 3],
         bounds,
-        color: registers.color.map(|param| planes.plane32(&param).shl(8)),
-        z: planes.plane32(&registers.z),
+        narrow: planes.narrow(registers),
         w: Plane64::default(),
         tmu: [[Plane64::default(); 3]; MAX_TMUS],
         lod_base: [0; MAX_TMUS],
@@ -233,7 +253,17 @@ impl Corrected {
         }
     }
 
-    fn plane32(&self, param: &Param) -> Plane32 {
+    fn narrow(&self, registers: &Registers) -> Narrow {
+        let mut narrow = Narrow::default();
+        for (lane, param) in registers.color.iter().enumerate() {
+            narrow.set(lane, self.plane32(param).map(|value| value << 8));
+        }
+        narrow.set(Z, self.plane32(&registers.z));
+        narrow
+    }
+
+    /// Constant and steps of a 32-bit attribute.
+    fn plane32(&self, param: &Param) -> [i32; 3] {
         let moved = param.dx.wrapping_mul(self.dx).wrapping_add(param.dy.wrapping_mul(self.dy))
             >> COORD_FRACTION;
         let dy = if self.flipped { param.dy.wrapping_neg() } else { param.dy };
@@ -242,7 +272,7 @@ impl Corrected {
             .wrapping_add(moved)
             .wrapping_sub(param.dx.wrapping_mul(self.x))
             .wrapping_sub(dy.wrapping_mul(self.y));
-        Plane32 { c, dx: param.dx, dy }
+        [c, param.dx, dy]
     }
 
     /// The plane, and whether it stays below `limit` over `area`.
@@ -300,8 +330,8 @@ mod tests {
     #[test]
     fn planes_pass_through_the_first_vertex() {
         let triangle = prepare(&right_triangle(), &SCREEN, 0, 0).unwrap();
-        assert_eq!(triangle.color[0].at(8, 8), 7 << 20);
-        assert_eq!(triangle.color[0].at(9, 30), (7 + 16) << 20);
+        assert_eq!(triangle.narrow.value(0, 8, 8), 7 << 20);
+        assert_eq!(triangle.narrow.value(0, 9, 30), (7 + 16) << 20);
     }
 
     #[test]

@@ -6,7 +6,7 @@ use super::UnitPlan;
 use super::lod::{lod_at, smallest_w, smallest_w_below};
 use crate::kernel::Pass;
 use crate::kernel::block::{Block, STAMP, Slot};
-use crate::kernel::depth::iterate_wide;
+use crate::kernel::lanes::ramp_wide;
 use crate::setup::{Plane64, Triangle};
 use crate::state::Filter;
 
@@ -29,25 +29,78 @@ struct StampLevels {
     /// Finest and coarsest level in the stamp.
     finest: i32,
     coarsest: i32,
+    /// w is above 0 everywhere in the stamp.
+    positive: bool,
+}
+
+/// What a triangle's stamps share: the steps within a stamp, and where the
+/// levels of detail change.
+struct TriangleSteps {
+    s: [f64; STAMP],
+    t: [f64; STAMP],
+    w: [f64; STAMP],
+    /// Level `n + 1` or a coarser one holds where w is below entry `n`.
+    thresholds: [f64; 8],
     /// Level of detail of the triangle at w = 1, with the bias.
     base: i32,
+}
+
+impl TriangleSteps {
+    const EMPTY: TriangleSteps = TriangleSteps {
+        s: [0.0; STAMP],
+        t: [0.0; STAMP],
+        w: [0.0; STAMP],
+        thresholds: [0.0; 8],
+        base: 0,
+    };
+
+    #[inline(always)]
+    fn set<S: Simd>(&mut self, s: S, plan: &UnitPlan, triangle: &Triangle) {
+        let [ps, pt, _] = &triangle.tmu[plan.index];
+        ramp_wide(s, ps, &mut self.s);
+        ramp_wide(s, pt, &mut self.t);
+        ramp_wide(s, &w_plane(plan, triangle), &mut self.w);
+        self.base = base_lod(plan, triangle);
+        let (finest, coarsest) = plan.levels();
+        for (n, threshold) in self.thresholds.iter_mut().enumerate() {
+            // Levels outside the limits are never, or always, passed.
+            *threshold = match n as i32 + 1 {
+                level if level <= finest => f64::INFINITY,
+                level if level > coarsest => f64::NEG_INFINITY,
+                level => smallest_w_below(self.base, level),
+            };
+        }
+    }
+}
+
+/// Level of detail of a triangle at w = 1, with the bias.
+#[inline(always)]
+fn base_lod(plan: &UnitPlan, triangle: &Triangle) -> i32 {
+    triangle.lod_base[plan.index] + i32::from(plan.unit.lod.bias)
 }
 
 /// Coordinates of every fragment of the block for `plan`'s unit: texel
 /// addresses of both rows, and the weights.
 #[inline(always)]
 pub(crate) fn address<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, plan: &UnitPlan) {
+    let mut steps = TriangleSteps::EMPTY;
+    let mut current = u32::MAX;
     for slot in 0..block.count {
         let at = block.slots[slot];
         let triangle = &pass.triangles[at.triangle as usize];
-        let base = triangle.lod_base[plan.index] + i32::from(plan.unit.lod.bias);
         if !triangle.exact {
-            inexact_stamp(s, block, plan, triangle, slot, base);
-        } else if plan.needs_lod {
-            lods_of_stamp(&mut block.lod.0[slot * STAMP..], plan, triangle, at, base);
-            stamp::<S, true>(s, block, plan, triangle, slot, base);
+            inexact_stamp(s, block, plan, triangle, slot);
+            continue;
+        }
+        if at.triangle != current {
+            current = at.triangle;
+            steps.set(s, plan, triangle);
+        }
+        if plan.needs_lod {
+            lods_of_stamp(&mut block.lod.0[slot * STAMP..], plan, triangle, at);
+            stamp::<S, true>(s, block, plan, triangle, slot, &steps);
         } else {
-            stamp::<S, false>(s, block, plan, triangle, slot, base);
+            stamp::<S, false>(s, block, plan, triangle, slot, &steps);
         }
     }
 }
@@ -59,7 +112,8 @@ fn w_plane(plan: &UnitPlan, triangle: &Triangle) -> Plane64 {
 }
 
 /// Levels of detail of a stamp's fragments, one by one.
-fn lods_of_stamp(out: &mut [i32], plan: &UnitPlan, triangle: &Triangle, at: Slot, base: i32) {
+fn lods_of_stamp(out: &mut [i32], plan: &UnitPlan, triangle: &Triangle, at: Slot) {
+    let base = base_lod(plan, triangle);
     let w = w_plane(plan, triangle);
     for (i, out) in out[..STAMP].iter_mut().enumerate() {
         let (x, y) = (at.x + (i & 3) as i32, at.y + (i >> 2) as i32);
@@ -88,7 +142,6 @@ fn inexact_stamp<S: Simd>(
     plan: &UnitPlan,
     triangle: &Triangle,
     slot: usize,
-    base: i32,
 ) {
     let at = block.slots[slot];
     let [ps, pt, _] = &triangle.tmu[plan.index];
@@ -100,7 +153,7 @@ fn inexact_stamp<S: Simd>(
         qs[i] = quotient(ps.at(x, y), w, clamp);
         qt[i] = quotient(pt.at(x, y), w, clamp);
     }
-    lods_of_stamp(&mut block.lod.0[slot * STAMP..], plan, triangle, at, base);
+    lods_of_stamp(&mut block.lod.0[slot * STAMP..], plan, triangle, at);
     for j in (0..STAMP).step_by(S::LANES) {
         let k = slot * STAMP + j;
         let levels = levels_by_lod(s, plan, s.load(&block.lod.0[k..]));
@@ -116,54 +169,63 @@ fn stamp<S: Simd, const LODS: bool>(
     plan: &UnitPlan,
     triangle: &Triangle,
     slot: usize,
-    base: i32,
+    steps: &TriangleSteps,
 ) {
     let at = block.slots[slot];
     let [ps, pt, _] = &triangle.tmu[plan.index];
-    let pw = w_plane(plan, triangle);
-    let levels = if LODS { None } else { Some(stamp_levels(plan, &pw, at, base)) };
-    let scale = s.splat_f(256.0);
+    let corner_w = w_plane(plan, triangle).at(at.x, at.y) as f64;
+    let levels = stamp_levels(corner_w, steps);
+    let base_s = s.splat_f(ps.at(at.x, at.y) as f64);
+    let base_t = s.splat_f(pt.at(at.x, at.y) as f64);
+    let base_w = s.splat_f(corner_w);
+    let (zero, scale) = (s.splat_f(0.0), s.splat_f(256.0));
     for j in (0..STAMP).step_by(S::LANES) {
         let k = slot * STAMP + j;
-        let w = iterate_wide(s, &pw, at.x, at.y, j);
-        let qs = (iterate_wide(s, ps, at.x, at.y, j) * scale / w).floor_i32();
-        let qt = (iterate_wide(s, pt, at.x, at.y, j) * scale / w).floor_i32();
-        let zero = s.splat_f(0.0);
-        let mut valid = zero.lt(w);
-        if !plan.unit.clamp_negative_w {
-            valid = valid | w.lt(zero);
+        let w = base_w + s.load_f(&steps.w[j..]);
+        let mut qs = ((base_s + s.load_f(&steps.s[j..])) * scale / w).floor_i32();
+        let mut qt = ((base_t + s.load_f(&steps.t[j..])) * scale / w).floor_i32();
+        if !levels.positive {
+            let mut valid = zero.lt(w);
+            if !plan.unit.clamp_negative_w {
+                valid = valid | w.lt(zero);
+            }
+            qs = qs.select(s.splat(0), valid);
+            qt = qt.select(s.splat(0), valid);
         }
-        let q = [qs.select(s.splat(0), valid), qt.select(s.splat(0), valid)];
-        let lanes = match &levels {
-            Some(levels) => levels_by_w(s, plan, levels, w),
-            None => levels_by_lod(s, plan, s.load(&block.lod.0[k..])),
+        let lanes = if LODS {
+            levels_by_lod(s, plan, s.load(&block.lod.0[k..]))
+        } else {
+            levels_by_w(s, plan, &levels, steps, w)
         };
-        store_address(s, block, plan, k, q, &lanes);
+        store_address(s, block, plan, k, [qs, qt], &lanes);
     }
 }
 
 /// The levels that w's range over the stamp selects.
 #[inline(always)]
-fn stamp_levels(plan: &UnitPlan, w: &Plane64, at: Slot, base: i32) -> StampLevels {
-    let corner = w.at(at.x, at.y) as f64;
-    let (dx, dy) = (w.dx as f64 * 3.0, w.dy as f64 * 3.0);
-    let largest = corner + dx.max(0.0) + dy.max(0.0);
-    let smallest = corner + dx.min(0.0) + dy.min(0.0);
-    let (mut finest, last) = plan.levels();
-    while finest < last && largest < smallest_w_below(base, finest + 1) {
-        finest += 1;
+fn stamp_levels(corner: f64, steps: &TriangleSteps) -> StampLevels {
+    // w is linear, so its extremes are at corners.
+    let [right, down, opposite] = [steps.w[3], steps.w[12], steps.w[15]];
+    let largest = corner + right.max(down).max(opposite).max(0.0);
+    let smallest = corner + right.min(down).min(opposite).min(0.0);
+    let (mut finest, mut coarsest) = (0, 0);
+    for &threshold in &steps.thresholds {
+        finest += i32::from(largest < threshold);
+        coarsest += i32::from(smallest < threshold);
     }
-    let mut coarsest = finest;
-    while coarsest < last && smallest < smallest_w_below(base, coarsest + 1) {
-        coarsest += 1;
-    }
-    StampLevels { finest, coarsest, base }
+    StampLevels { finest, coarsest, positive: smallest > 0.0 }
 }
 
 /// Address lanes of the levels that `w` selects.
 #[inline(always)]
-fn levels_by_w<S: Simd>(s: S, plan: &UnitPlan, levels: &StampLevels, w: S::F) -> LevelLanes<S> {
-    let bilinear = bilinear_lanes(s, plan, levels.base, w);
+fn levels_by_w<S: Simd>(
+    s: S,
+    plan: &UnitPlan,
+    levels: &StampLevels,
+    steps: &TriangleSteps,
+    w: S::F,
+) -> LevelLanes<S> {
+    let bilinear = bilinear_lanes(s, plan, steps.base, w);
     if levels.finest == levels.coarsest {
         let n = (levels.finest & 15) as usize;
         let t = &plan.tables;
@@ -178,9 +240,9 @@ fn levels_by_w<S: Simd>(s: S, plan: &UnitPlan, levels: &StampLevels, w: S::F) ->
         };
     }
     let mut level = s.splat(levels.finest);
-    for next in levels.finest + 1..=levels.coarsest {
-        let threshold = s.splat_f(smallest_w_below(levels.base, next));
-        level = s.splat(next).select(level, w.lt(threshold));
+    for next in levels.finest..levels.coarsest {
+        let threshold = s.splat_f(steps.thresholds[(next & 7) as usize]);
+        level = s.splat(next + 1).select(level, w.lt(threshold));
     }
     lookup(s, plan, level, bilinear)
 }
