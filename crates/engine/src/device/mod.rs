@@ -248,9 +248,9 @@ impl Device {
         if count == 0 {
             return;
         }
-        batch
-            .pixel_pipeline
-            .get_or_insert_with(|| Box::new(Pipeline::for_pixels(&self.current.0, batch.format, has_aux)));
+        batch.pixel_pipeline.get_or_insert_with(|| {
+            Box::new(Pipeline::for_pixels(&self.current.0, batch.format, has_aux))
+        });
         let y = match self.current.0.origin {
             Origin::UpperLeft => run.y,
             Origin::LowerLeft => height - 1 - run.y,

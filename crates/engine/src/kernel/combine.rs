@@ -199,13 +199,7 @@ fn load<S: Simd>(s: S, lanes: &Lanes, k: usize) -> S::I {
 /// Only `(other * (factor + 1)) >> 8`, where the alpha unit does no more or
 /// nobody reads alpha.
 #[inline(always)]
-fn scale_colors<S: Simd>(
-    s: S,
-    len: usize,
-    pass: &Pass<'_>,
-    from: &Operands<'_>,
-    out: &mut Colors,
-) {
+fn scale_colors<S: Simd>(s: S, len: usize, pass: &Pass<'_>, from: &Operands<'_>, out: &mut Colors) {
     let state = &pass.pipeline.state;
     let switches = &pass.pipeline.combine;
     let factor = from.color_factor(state.color_combine.unit.factor);

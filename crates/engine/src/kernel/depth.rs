@@ -5,9 +5,9 @@
 
 use fillrate_simd::{FloatLanes, IntLanes, MaskLanes, Simd};
 
-use super::block::{Block, STAMP};
+use super::block::{Block, Lanes, STAMP, Slot};
 use super::lanes::{ramp, ramp_wide, wrap};
-use super::{Pass, Tile};
+use super::{Pass, Pipeline, Tile};
 use crate::setup::{Triangle, Z};
 use crate::state::{Compare, DepthSource};
 
@@ -45,72 +45,147 @@ fn float_w_lanes<S: Simd>(s: S, w: S::F) -> S::I {
     s.splat(0).select(value, near | negative)
 }
 
-/// Iterates z of one stamp into `z`.
-#[inline(always)]
-fn z_of_stamp<S: Simd>(s: S, base: i32, ramp: &[i32; STAMP], z: &mut [i32]) {
-    for j in (0..STAMP).step_by(S::LANES) {
-        let value = s.splat(base) + s.load(&ramp[j..]);
-        s.store(wrap::<S, 20, 16>(s, value.shr(12)), &mut z[j..]);
-    }
+/// Depth values of one stamp after another, without bias.
+pub(super) trait DepthLanes<S: Simd> {
+    /// Goes to a stamp, which is the block's slot `slot`.
+    fn enter(&mut self, s: S, pass: &Pass<'_>, at: &Slot, slot: usize);
+    /// The values of the stamp's fragments `j..`.
+    fn lanes(&self, s: S, j: usize) -> S::I;
 }
 
-/// Iterates z into `block.z`.
-#[inline(always)]
-fn iterate_z<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
-    let Block { count, slots, z, .. } = block;
-    let mut z_ramp = [0; STAMP];
-    let mut current = u32::MAX;
-    for (slot, at) in slots[..*count].iter().enumerate() {
+/// Iterated z.
+pub(super) struct IteratedZ {
+    triangle: u32,
+    ramp: [i32; STAMP],
+    base: i32,
+}
+
+impl IteratedZ {
+    pub const NONE: IteratedZ = IteratedZ { triangle: u32::MAX, ramp: [0; STAMP], base: 0 };
+}
+
+impl<S: Simd> DepthLanes<S> for IteratedZ {
+    #[inline(always)]
+    fn enter(&mut self, s: S, pass: &Pass<'_>, at: &Slot, _slot: usize) {
         let narrow = &pass.triangles[at.triangle as usize].narrow;
-        if at.triangle != current {
-            current = at.triangle;
-            ramp(s, narrow.dx[Z], narrow.dy[Z], &mut z_ramp);
+        if at.triangle != self.triangle {
+            self.triangle = at.triangle;
+            ramp(s, narrow.dx[Z], narrow.dy[Z], &mut self.ramp);
         }
-        z_of_stamp(s, narrow.value(Z, at.x, at.y), &z_ramp, &mut z.0[slot * STAMP..]);
+        self.base = narrow.value(Z, at.x, at.y);
+    }
+
+    #[inline(always)]
+    fn lanes(&self, s: S, j: usize) -> S::I {
+        let value = s.splat(self.base) + s.load(&self.ramp[j..]);
+        wrap::<S, 20, 16>(s, value.shr(12))
     }
 }
 
-/// Iterates the pseudo-float w into `block.w`.
-#[inline(always)]
-fn iterate_w<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
-    let Block { count, slots, w, .. } = block;
-    let mut w_ramp = [0.0; STAMP];
-    let mut current = u32::MAX;
-    for (slot, at) in slots[..*count].iter().enumerate() {
+/// The pseudo-float of iterated w.
+pub(super) struct IteratedW {
+    triangle: u32,
+    ramp: [f64; STAMP],
+    values: [i32; STAMP],
+}
+
+impl IteratedW {
+    pub const NONE: IteratedW =
+        IteratedW { triangle: u32::MAX, ramp: [0.0; STAMP], values: [0; STAMP] };
+}
+
+impl<S: Simd> DepthLanes<S> for IteratedW {
+    #[inline(always)]
+    fn enter(&mut self, s: S, pass: &Pass<'_>, at: &Slot, _slot: usize) {
         let triangle = &pass.triangles[at.triangle as usize];
-        let out = &mut w.0[slot * STAMP..][..STAMP];
         if !triangle.exact {
-            exact_w_of_stamp(triangle, at.x, at.y, out);
-            continue;
+            return exact_w_of_stamp(triangle, at.x, at.y, &mut self.values);
         }
-        if at.triangle != current {
-            current = at.triangle;
-            ramp_wide(s, &triangle.w, &mut w_ramp);
+        if at.triangle != self.triangle {
+            self.triangle = at.triangle;
+            ramp_wide(s, &triangle.w, &mut self.ramp);
         }
         let base = s.splat_f(triangle.w.at(at.x, at.y) as f64);
         for j in (0..STAMP).step_by(S::LANES) {
-            s.store(float_w_lanes(s, base + s.load_f(&w_ramp[j..])), &mut out[j..]);
+            let w = base + s.load_f(&self.ramp[j..]);
+            s.store(float_w_lanes(s, w), &mut self.values[j..]);
         }
+    }
+
+    #[inline(always)]
+    fn lanes(&self, s: S, j: usize) -> S::I {
+        s.load(&self.values[j..])
     }
 }
 
 /// The pseudo-float w of a stamp whose iterators are too large for floats.
-fn exact_w_of_stamp(triangle: &Triangle, x: i32, y: i32, out: &mut [i32]) {
+fn exact_w_of_stamp(triangle: &Triangle, x: i32, y: i32, out: &mut [i32; STAMP]) {
     for (i, out) in out.iter_mut().enumerate() {
         *out = i32::from(float_w(triangle.w.at(x + (i & 3) as i32, y + (i >> 2) as i32)));
     }
 }
 
-/// Computes z and w where the pipeline needs them.
+/// Depth values that lie in the block already.
+struct Kept<'a> {
+    values: &'a Lanes,
+    first: usize,
+}
+
+impl<S: Simd> DepthLanes<S> for Kept<'_> {
+    #[inline(always)]
+    fn enter(&mut self, _s: S, _pass: &Pass<'_>, _at: &Slot, slot: usize) {
+        self.first = slot * STAMP;
+    }
+
+    #[inline(always)]
+    fn lanes(&self, s: S, j: usize) -> S::I {
+        s.load(&self.values.0[self.first + j..])
+    }
+}
+
+/// Keeps the depth values of the whole block.
 #[inline(always)]
-pub(crate) fn depth_values<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
+fn keep<S: Simd, D: DepthLanes<S>>(
+    s: S,
+    mut source: D,
+    slots: &[Slot],
+    pass: &Pass<'_>,
+    out: &mut Lanes,
+) {
+    for (slot, at) in slots.iter().enumerate() {
+        source.enter(s, pass, at, slot);
+        for j in (0..STAMP).step_by(S::LANES) {
+            s.store(source.lanes(s, j), &mut out.0[slot * STAMP + j..]);
+        }
+    }
+}
+
+/// Computes z and w where they are needed, tests and writes depth.
+#[inline(always)]
+pub(crate) fn depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
     let needs = &pass.pipeline.needs;
-    if needs.z {
-        iterate_z(s, block, pass);
+    if needs.keeps_z {
+        keep(s, IteratedZ::NONE, &block.slots[..block.count], pass, &mut block.z);
     }
-    if needs.w {
-        iterate_w(s, block, pass);
+    if needs.keeps_w {
+        keep(s, IteratedW::NONE, &block.slots[..block.count], pass, &mut block.w);
     }
+    match pass.pipeline.state.depth.source {
+        DepthSource::Z if needs.keeps_z => ready_depth(s, block, pass, tile),
+        DepthSource::FloatW if needs.keeps_w => ready_depth(s, block, pass, tile),
+        DepthSource::Z => test_depth(s, IteratedZ::NONE, block, pass, tile),
+        DepthSource::FloatW => test_depth(s, IteratedW::NONE, block, pass, tile),
+    }
+}
+
+/// Tests and writes depth values that lie in the block.
+#[inline(always)]
+pub(crate) fn ready_depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    let values = match pass.pipeline.state.depth.source {
+        DepthSource::Z => block.z.clone(),
+        DepthSource::FloatW => block.w.clone(),
+    };
+    test_depth(s, Kept { values: &values, first: 0 }, block, pass, tile);
 }
 
 /// Lanes where `source OP reference`.
@@ -129,53 +204,88 @@ pub(crate) fn compare<S: Simd>(s: S, op: Compare, source: S::I, reference: S::I)
     }
 }
 
-/// Biases the depth values into `block.depth` where something later reads
-/// them, drops the fragments that fail the depth test, and writes the depth of
-/// the others where nothing later can drop them.
-#[inline(always)]
-pub(crate) fn test_depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
-    let pipeline = pass.pipeline;
-    if !pipeline.needs.depth {
-        return;
-    }
-    let depth = &pipeline.state.depth;
-    let late = pipeline.needs.late_depth_write;
-    let writes = pipeline.writes_depth() && !late;
-    let bias = s.splat(i32::from(depth.bias.unwrap_or(0)));
-    let constant = depth.compare_constant.map(i32::from);
-    let Block { live, count, slots, z, w, depth: kept, .. } = block;
-    let values = match depth.source {
-        DepthSource::Z => z,
-        DepthSource::FloatW => w,
-    };
-    let before = live.count_ones();
-    for (slot, at) in slots[..*count].iter().enumerate() {
-        for j in (0..STAMP).step_by(S::LANES) {
-            let k = slot * STAMP + j;
-            let mut value = s.load(&values.0[k..]);
-            if depth.bias.is_some() {
-                value = (value + bias).max(s.splat(0)).min(s.splat(0xffff));
-            }
-            if late {
-                s.store(value, &mut kept.0[k..]);
-            }
-            let mut lanes = s.mask((*live >> k) as u32);
-            if let Some(op) = depth.test {
-                let source = match constant {
-                    Some(constant) => s.splat(constant),
-                    None => value,
-                };
-                let stored = s.load16(&tile.aux[at.at as usize + j..]);
-                lanes = lanes & compare(s, op, source, stored);
-                let all = (1u64 << S::LANES) - 1;
-                *live &= !(all << k) | u64::from(lanes.bits()) << k;
-            }
-            if writes {
-                s.store16(value, &mut tile.aux[at.at as usize + j..], lanes);
-            }
+/// What happens to a depth value, the same for a whole block.
+#[derive(Clone, Copy)]
+pub(super) struct DepthTest {
+    test: Option<Compare>,
+    bias: Option<i32>,
+    constant: Option<i32>,
+    /// Written as soon as it passes.
+    writes: bool,
+}
+
+impl DepthTest {
+    #[inline(always)]
+    pub fn new(pipeline: &Pipeline) -> DepthTest {
+        let depth = &pipeline.state.depth;
+        DepthTest {
+            test: depth.test,
+            bias: depth.bias.map(i32::from),
+            constant: depth.compare_constant.map(i32::from),
+            writes: pipeline.writes_depth() && !pipeline.needs.late_depth_write,
         }
     }
-    tile.counters.depth_fail += u64::from(before - live.count_ones());
+
+    /// The value that is compared and written.
+    #[inline(always)]
+    pub fn biased<S: Simd>(&self, s: S, value: S::I) -> S::I {
+        match self.bias {
+            Some(bias) => (value + s.splat(bias)).max(s.splat(0)).min(s.splat(0xffff)),
+            None => value,
+        }
+    }
+
+    /// Tests and writes a stamp's biased values at `at` of the aux plane;
+    /// which of the `live` lanes pass.
+    #[inline(always)]
+    pub fn run<S: Simd>(&self, s: S, value: S::I, live: S::M, aux: &mut [u16], at: usize) -> S::M {
+        let mut passed = live;
+        if let Some(op) = self.test {
+            let source = match self.constant {
+                Some(constant) => s.splat(constant),
+                None => value,
+            };
+            passed = live & compare(s, op, source, s.load16(&aux[at..]));
+        }
+        if self.writes {
+            s.store16(value, &mut aux[at..], passed);
+        }
+        passed
+    }
+}
+
+/// Drops the fragments that fail the depth test, and writes the depth of the
+/// others, at once or into `block.depth` where something later can drop them.
+#[inline(always)]
+fn test_depth<S: Simd, D: DepthLanes<S>>(
+    s: S,
+    mut source: D,
+    block: &mut Block,
+    pass: &Pass<'_>,
+    tile: &mut Tile<'_>,
+) {
+    let needs = &pass.pipeline.needs;
+    if !needs.depth {
+        return;
+    }
+    let test = DepthTest::new(pass.pipeline);
+    let before = block.live;
+    let mut left = 0;
+    for slot in 0..block.count {
+        let at = block.slots[slot];
+        source.enter(s, pass, &at, slot);
+        for j in (0..STAMP).step_by(S::LANES) {
+            let k = slot * STAMP + j;
+            let value = test.biased(s, source.lanes(s, j));
+            if needs.late_depth_write {
+                s.store(value, &mut block.depth.0[k..]);
+            }
+            let live = s.mask((before >> k) as u32);
+            let passed = test.run(s, value, live, tile.aux, at.at as usize + j);
+            left |= u64::from(passed.bits()) << k;
+        }
+    }
+    tile.counters.depth_fail += block.keep(left);
 }
 
 /// Writes the depth of the fragments left.

@@ -8,8 +8,8 @@ use super::fog::fog_entries;
 use super::lanes::dither_pattern;
 use super::texture::UnitPlan;
 use crate::state::{
-    Addend, AlphaLocal, AuxWrite, ColorLocal, CombineUnit, Compare, DepthSource, Dither, DrawState, Factor, FogAmount,
-    MAX_TMUS, Other,
+    Addend, AlphaLocal, AuxWrite, ColorLocal, CombineUnit, Compare, Dither, DrawState, Factor,
+    FogAmount, MAX_TMUS, Other,
 };
 use crate::target::PixelFormat;
 use crate::texture::{Texture, TextureDesc};
@@ -37,8 +37,10 @@ pub(crate) enum Stage {
 /// Which iterated values the stages read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Needs {
-    pub z: bool,
-    pub w: bool,
+    /// z is read after the depth test.
+    pub keeps_z: bool,
+    /// The pseudo-float w is read after the depth test.
+    pub keeps_w: bool,
     pub colors: bool,
     /// Fragments can be dropped after the depth test, or blending reads the
     /// aux plane, so depth is written at the end.
@@ -58,6 +60,8 @@ pub(crate) struct Pipeline {
     pub unit_count: usize,
     pub combine: Switches,
     pub arithmetic: Arithmetic,
+    /// Iterated colours are the fragments' colours; no combine stage runs.
+    pub passes_iterated: bool,
     /// Something after the combine units reads alpha.
     pub reads_alpha: bool,
     pub color0: Colors,
@@ -88,9 +92,11 @@ impl Pipeline {
         let needs = needs(&state);
         let units = units(&state, textures);
         let reads_alpha = reads_alpha(&state, format);
+        let passes_iterated = passes_iterated(&state, reads_alpha);
         let (color, alpha) = (&state.color_combine.unit, &state.alpha_combine.unit);
         Pipeline {
-            stages: stages(&state, &needs, &units, reads_alpha),
+            stages: stages(&state, &needs, &units, passes_iterated),
+            passes_iterated,
             arithmetic: Arithmetic::of(color, alpha, reads_alpha),
             reads_alpha,
             needs,
@@ -128,12 +134,6 @@ impl Pipeline {
     /// The texture chain's output: `chain`, or zeros where texturing is off.
     pub fn texture_output<'a>(&'a self, chain: &'a Colors) -> &'a Colors {
         if self.unit_count > 0 { chain } else { &self.zero }
-    }
-
-    /// Whether iterated colours are the fragment's colours, so that no combine
-    /// stage runs.
-    pub fn passes_iterated(&self) -> bool {
-        !self.stages.contains(&Stage::Combine)
     }
 
     /// Whether anything is written to the aux plane.
@@ -183,12 +183,9 @@ fn needs(state: &DrawState) -> Needs {
     let fog = |amount: FogAmount| state.fog.is_some_and(|fog| fog.amount == amount);
     let compares = state.depth.test.is_some_and(|test| test != Compare::Always);
     let depth = compares || state.aux_write == AuxWrite::Depth;
-    let source = |source: DepthSource| depth && state.depth.source == source;
     Needs {
-        z: source(DepthSource::Z)
-            || fog(FogAmount::IteratedZ)
-            || state.alpha_combine.local == AlphaLocal::Depth,
-        w: source(DepthSource::FloatW) || fog(FogAmount::Table),
+        keeps_z: fog(FogAmount::IteratedZ) || state.alpha_combine.local == AlphaLocal::Depth,
+        keeps_w: fog(FogAmount::Table),
         colors: reads_iterated(state),
         late_depth_write: state.chroma_key.is_some()
             || state.alpha_test.is_some()
@@ -257,7 +254,7 @@ fn stages(
     state: &DrawState,
     needs: &Needs,
     units: &[Option<Box<UnitPlan>>; MAX_TMUS],
-    reads_alpha: bool,
+    passes_iterated: bool,
 ) -> Vec<Stage> {
     let mut list = Vec::with_capacity(16);
     let mut add = |wanted: bool, stage: Stage| {
@@ -266,7 +263,7 @@ fn stages(
         }
     };
     add(state.stipple.is_some(), Stage::Stipple);
-    add(needs.depth || needs.z || needs.w, Stage::Depth);
+    add(needs.depth || needs.keeps_z || needs.keeps_w, Stage::Depth);
     if reads_texture(state) {
         for (index, plan) in units.iter().enumerate().rev() {
             let Some(plan) = plan else { continue };
@@ -277,7 +274,7 @@ fn stages(
     }
     add(needs.colors, Stage::IterateColors);
     add(state.chroma_key.is_some(), Stage::ChromaKey);
-    add(!passes_iterated(state, reads_alpha), Stage::Combine);
+    add(!passes_iterated, Stage::Combine);
     add(state.alpha_test.is_some(), Stage::AlphaTest);
     add(state.fog.is_some(), Stage::Fog);
     add(state.blend.is_some(), Stage::Blend);

@@ -51,11 +51,8 @@ unit_stages! {
     address_1 fetch_1 texture_combine_1 1
     address_2 fetch_2 texture_combine_2 2
 }
-stage!(depth_stage, |s, block, pass, tile| {
-    depth::depth_values(s, block, pass);
-    depth::test_depth(s, block, pass, tile)
-});
-stage!(ready_depth, |s, block, pass, tile| depth::test_depth(s, block, pass, tile));
+stage!(depth_stage, |s, block, pass, tile| depth::depth(s, block, pass, tile));
+stage!(ready_depth, |s, block, pass, tile| depth::ready_depth(s, block, pass, tile));
 stage!(iterate_colors, |s, block, pass, _tile| iterate::iterate_colors(s, block, pass));
 stage!(chroma_key, |s, block, pass, tile| chroma_key::chroma_key(s, block, pass, tile));
 stage!(combine, |s, block, pass, _tile| combine::combine(s, block, pass));

@@ -20,8 +20,7 @@ pub(crate) const GROUP: usize = 16;
 const GROUP_WIDTH: u32 = 4 * GROUP as u32;
 
 /// 4, 8, ... : columns from a group's first stamp to each of its stamps.
-static STAMP_COLUMNS: [i32; GROUP] =
-    [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60];
+static STAMP_COLUMNS: [i32; GROUP] = [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60];
 
 /// An edge within one tile.
 #[derive(Clone, Copy)]

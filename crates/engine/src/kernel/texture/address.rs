@@ -24,25 +24,29 @@ struct LevelLanes<S: Simd> {
     fraction: S::I,
 }
 
-/// What is known of a stamp's levels before looking at single fragments.
-struct StampLevels {
-    /// Finest and coarsest level in the stamp.
-    finest: i32,
-    coarsest: i32,
-    /// w is above 0 everywhere in the stamp.
-    positive: bool,
-}
-
 /// What a triangle's stamps share: the steps within a stamp, and where the
 /// levels of detail change.
 struct TriangleSteps {
     s: [f64; STAMP],
     t: [f64; STAMP],
     w: [f64; STAMP],
+    /// The most that w rises and falls within a stamp.
+    rise: f64,
+    fall: f64,
     /// Level `n + 1` or a coarser one holds where w is below entry `n`.
     thresholds: [f64; 8],
     /// Level of detail of the triangle at w = 1, with the bias.
     base: i32,
+    /// The level of the last stamp that had only one.
+    last: Level,
+}
+
+/// One level, and the range of w that selects it.
+#[derive(Clone, Copy)]
+struct Level {
+    number: usize,
+    least: f64,
+    limit: f64,
 }
 
 impl TriangleSteps {
@@ -50,16 +54,23 @@ impl TriangleSteps {
         s: [0.0; STAMP],
         t: [0.0; STAMP],
         w: [0.0; STAMP],
+        rise: 0.0,
+        fall: 0.0,
         thresholds: [0.0; 8],
         base: 0,
+        last: Level { number: 0, least: 0.0, limit: 0.0 },
     };
 
     #[inline(always)]
     fn set<S: Simd>(&mut self, s: S, plan: &UnitPlan, triangle: &Triangle) {
         let [ps, pt, _] = &triangle.tmu[plan.index];
+        let w = w_plane(plan, triangle);
         ramp_wide(s, ps, &mut self.s);
         ramp_wide(s, pt, &mut self.t);
-        ramp_wide(s, &w_plane(plan, triangle), &mut self.w);
+        ramp_wide(s, &w, &mut self.w);
+        let (right, down) = (w.dx as f64 * 3.0, w.dy as f64 * 3.0);
+        self.rise = right.max(0.0) + down.max(0.0);
+        self.fall = right.min(0.0) + down.min(0.0);
         self.base = base_lod(plan, triangle);
         let (finest, coarsest) = plan.levels();
         for (n, threshold) in self.thresholds.iter_mut().enumerate() {
@@ -70,6 +81,28 @@ impl TriangleSteps {
                 level => smallest_w_below(self.base, level),
             };
         }
+        self.last = Level { number: 0, least: 0.0, limit: 0.0 };
+    }
+
+    /// The level of a stamp with w from `smallest` to `largest`; `None` where
+    /// it has several.
+    #[inline(always)]
+    fn level(&mut self, smallest: f64, largest: f64) -> Option<usize> {
+        if self.last.least <= smallest && largest < self.last.limit {
+            return Some(self.last.number);
+        }
+        let (mut finest, mut coarsest) = (0, 0);
+        for &threshold in &self.thresholds {
+            finest += usize::from(largest < threshold);
+            coarsest += usize::from(smallest < threshold);
+        }
+        if finest != coarsest {
+            return None;
+        }
+        let limit = if finest == 0 { f64::INFINITY } else { self.thresholds[finest - 1] };
+        let least = self.thresholds.get(finest).copied().unwrap_or(f64::NEG_INFINITY);
+        self.last = Level { number: finest, least, limit };
+        Some(finest)
     }
 }
 
@@ -98,9 +131,9 @@ pub(crate) fn address<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, plan: &
         }
         if plan.needs_lod {
             lods_of_stamp(&mut block.lod.0[slot * STAMP..], plan, triangle, at);
-            stamp::<S, true>(s, block, plan, triangle, slot, &steps);
+            stamp::<S, true>(s, block, plan, triangle, slot, &mut steps);
         } else {
-            stamp::<S, false>(s, block, plan, triangle, slot, &steps);
+            stamp::<S, false>(s, block, plan, triangle, slot, &mut steps);
         }
     }
 }
@@ -169,12 +202,14 @@ fn stamp<S: Simd, const LODS: bool>(
     plan: &UnitPlan,
     triangle: &Triangle,
     slot: usize,
-    steps: &TriangleSteps,
+    steps: &mut TriangleSteps,
 ) {
     let at = block.slots[slot];
     let [ps, pt, _] = &triangle.tmu[plan.index];
     let corner_w = w_plane(plan, triangle).at(at.x, at.y) as f64;
-    let levels = stamp_levels(corner_w, steps);
+    // w is linear, so its extremes are at corners.
+    let (smallest, largest) = (corner_w + steps.fall, corner_w + steps.rise);
+    let level = if LODS { None } else { steps.level(smallest, largest) };
     let base_s = s.splat_f(ps.at(at.x, at.y) as f64);
     let base_t = s.splat_f(pt.at(at.x, at.y) as f64);
     let base_w = s.splat_f(corner_w);
@@ -184,7 +219,7 @@ fn stamp<S: Simd, const LODS: bool>(
         let w = base_w + s.load_f(&steps.w[j..]);
         let mut qs = ((base_s + s.load_f(&steps.s[j..])) * scale / w).floor_i32();
         let mut qt = ((base_t + s.load_f(&steps.t[j..])) * scale / w).floor_i32();
-        if !levels.positive {
+        if smallest <= 0.0 {
             let mut valid = zero.lt(w);
             if !plan.unit.clamp_negative_w {
                 valid = valid | w.lt(zero);
@@ -192,59 +227,38 @@ fn stamp<S: Simd, const LODS: bool>(
             qs = qs.select(s.splat(0), valid);
             qt = qt.select(s.splat(0), valid);
         }
-        let lanes = if LODS {
-            levels_by_lod(s, plan, s.load(&block.lod.0[k..]))
-        } else {
-            levels_by_w(s, plan, &levels, steps, w)
+        let lanes = match level {
+            Some(level) => one_level(s, plan, level, bilinear_lanes(s, plan, steps.base, w)),
+            None if LODS => levels_by_lod(s, plan, s.load(&block.lod.0[k..])),
+            None => levels_by_w(s, plan, steps, w),
         };
         store_address(s, block, plan, k, [qs, qt], &lanes);
     }
 }
 
-/// The levels that w's range over the stamp selects.
+/// Address lanes of one level.
 #[inline(always)]
-fn stamp_levels(corner: f64, steps: &TriangleSteps) -> StampLevels {
-    // w is linear, so its extremes are at corners.
-    let [right, down, opposite] = [steps.w[3], steps.w[12], steps.w[15]];
-    let largest = corner + right.max(down).max(opposite).max(0.0);
-    let smallest = corner + right.min(down).min(opposite).min(0.0);
-    let (mut finest, mut coarsest) = (0, 0);
-    for &threshold in &steps.thresholds {
-        finest += i32::from(largest < threshold);
-        coarsest += i32::from(smallest < threshold);
+fn one_level<S: Simd>(s: S, plan: &UnitPlan, level: usize, bilinear: S::I) -> LevelLanes<S> {
+    let (n, t) = (level & 15, &plan.tables);
+    LevelLanes {
+        base: s.splat(t.base[n]),
+        pitch: s.splat(t.pitch[n]),
+        s_mask: s.splat(t.s_mask[n]),
+        t_mask: s.splat(t.t_mask[n]),
+        shift: s.splat(t.shift[n]),
+        half: bilinear & s.splat(0x80),
+        fraction: bilinear & s.splat(15),
     }
-    StampLevels { finest, coarsest, positive: smallest > 0.0 }
 }
 
 /// Address lanes of the levels that `w` selects.
 #[inline(always)]
-fn levels_by_w<S: Simd>(
-    s: S,
-    plan: &UnitPlan,
-    levels: &StampLevels,
-    steps: &TriangleSteps,
-    w: S::F,
-) -> LevelLanes<S> {
-    let bilinear = bilinear_lanes(s, plan, steps.base, w);
-    if levels.finest == levels.coarsest {
-        let n = (levels.finest & 15) as usize;
-        let t = &plan.tables;
-        return LevelLanes {
-            base: s.splat(t.base[n]),
-            pitch: s.splat(t.pitch[n]),
-            s_mask: s.splat(t.s_mask[n]),
-            t_mask: s.splat(t.t_mask[n]),
-            shift: s.splat(t.shift[n]),
-            half: bilinear & s.splat(0x80),
-            fraction: bilinear & s.splat(15),
-        };
+fn levels_by_w<S: Simd>(s: S, plan: &UnitPlan, steps: &TriangleSteps, w: S::F) -> LevelLanes<S> {
+    let mut level = s.splat(0);
+    for (n, &threshold) in steps.thresholds.iter().enumerate() {
+        level = s.splat(n as i32 + 1).select(level, w.lt(s.splat_f(threshold)));
     }
-    let mut level = s.splat(levels.finest);
-    for next in levels.finest..levels.coarsest {
-        let threshold = s.splat_f(steps.thresholds[(next & 7) as usize]);
-        level = s.splat(next + 1).select(level, w.lt(threshold));
-    }
-    lookup(s, plan, level, bilinear)
+    lookup(s, plan, level, bilinear_lanes(s, plan, steps.base, w))
 }
 
 /// All ones for a filter of four texels, zero for a single one.

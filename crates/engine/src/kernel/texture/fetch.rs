@@ -19,15 +19,15 @@ pub(crate) fn fetch<S: Simd>(s: S, block: &mut Block, plan: &UnitPlan) {
     if plan.point {
         let channels = s.splat(0x00ff_00ff);
         for k in (0..len).step_by(S::LANES) {
-            let (rb, ga) = s.load_pairs(entries, s.load(&row0.0[k..]));
+            let (rb, ga) = s.load_pairs_at(entries, &row0.0[k..]);
             s.store(rb & channels, &mut out.rb.0[k..]);
             s.store(ga & channels, &mut out.ga.0[k..]);
         }
         return;
     }
     for k in (0..len).step_by(S::LANES) {
-        let (rb0, ga0) = s.load_pairs(entries, s.load(&row0.0[k..]));
-        let (rb1, ga1) = s.load_pairs(entries, s.load(&row1.0[k..]));
+        let (rb0, ga0) = s.load_pairs_at(entries, &row0.0[k..]);
+        let (rb1, ga1) = s.load_pairs_at(entries, &row1.0[k..]);
         let across = s.load(&weight_s.0[k..]);
         let lower = s.load(&weight_t.0[k..]);
         let upper = s.splat(0x0010_0010).sub16(lower);
