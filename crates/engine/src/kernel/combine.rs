@@ -72,10 +72,7 @@ pub(crate) enum Arithmetic {
 impl Arithmetic {
     /// What two units need; the alpha unit counts where alpha is read.
     pub fn of<F>(color: &CombineUnit<F>, alpha: &CombineUnit<F>, reads_alpha: bool) -> Arithmetic {
-        let scales = |unit: &CombineUnit<F>| {
-            !unit.zero_other && !unit.subtract_local && unit.add == Addend::Zero && !unit.invert
-        };
-        let scale = scales(color) && (!reads_alpha || scales(alpha));
+        let scale = color.scales() && (!reads_alpha || alpha.scales());
         if scale { Arithmetic::Scale } else { Arithmetic::Any }
     }
 }

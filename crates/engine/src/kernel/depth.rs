@@ -54,8 +54,9 @@ pub(super) trait DepthLanes<S: Simd> {
 }
 
 /// Iterated z.
-pub(super) struct IteratedZ {
-    triangle: u32,
+#[derive(Clone, Debug)]
+pub(crate) struct IteratedZ {
+    pub(super) triangle: u32,
     ramp: [i32; STAMP],
     base: i32,
 }
@@ -83,8 +84,9 @@ impl<S: Simd> DepthLanes<S> for IteratedZ {
 }
 
 /// The pseudo-float of iterated w.
-pub(super) struct IteratedW {
-    triangle: u32,
+#[derive(Clone, Debug)]
+pub(crate) struct IteratedW {
+    pub(super) triangle: u32,
     ramp: [f64; STAMP],
     values: [i32; STAMP],
 }
@@ -147,7 +149,7 @@ impl<S: Simd> DepthLanes<S> for Kept<'_> {
 #[inline(always)]
 fn keep<S: Simd, D: DepthLanes<S>>(
     s: S,
-    mut source: D,
+    source: &mut D,
     slots: &[Slot],
     pass: &Pass<'_>,
     out: &mut Lanes,
@@ -164,28 +166,37 @@ fn keep<S: Simd, D: DepthLanes<S>>(
 #[inline(always)]
 pub(crate) fn depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
     let needs = &pass.pipeline.needs;
+    let Block { slots, count, steps, z, w, .. } = block;
     if needs.keeps_z {
-        keep(s, IteratedZ::NONE, &block.slots[..block.count], pass, &mut block.z);
+        keep(s, &mut steps.z, &slots[..*count], pass, z);
     }
     if needs.keeps_w {
-        keep(s, IteratedW::NONE, &block.slots[..block.count], pass, &mut block.w);
+        keep(s, &mut steps.w, &slots[..*count], pass, w);
     }
     match pass.pipeline.state.depth.source {
         DepthSource::Z if needs.keeps_z => ready_depth(s, block, pass, tile),
         DepthSource::FloatW if needs.keeps_w => ready_depth(s, block, pass, tile),
-        DepthSource::Z => test_depth(s, IteratedZ::NONE, block, pass, tile),
-        DepthSource::FloatW => test_depth(s, IteratedW::NONE, block, pass, tile),
+        source => {
+            let Block { live, count, slots, depth, steps, .. } = block;
+            let fragments = Fragments { live, slots: &slots[..*count], depth };
+            match source {
+                DepthSource::Z => test_depth(s, fragments, &mut steps.z, pass, tile),
+                DepthSource::FloatW => test_depth(s, fragments, &mut steps.w, pass, tile),
+            }
+        }
     }
 }
 
 /// Tests and writes depth values that lie in the block.
 #[inline(always)]
 pub(crate) fn ready_depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    let Block { live, count, slots, z, w, depth, .. } = block;
+    let fragments = Fragments { live, slots: &slots[..*count], depth };
     let values = match pass.pipeline.state.depth.source {
-        DepthSource::Z => block.z.clone(),
-        DepthSource::FloatW => block.w.clone(),
+        DepthSource::Z => z,
+        DepthSource::FloatW => w,
     };
-    test_depth(s, Kept { values: &values, first: 0 }, block, pass, tile);
+    test_depth(s, fragments, &mut Kept { values, first: 0 }, pass, tile);
 }
 
 /// Lanes where `source OP reference`.
@@ -254,13 +265,20 @@ impl DepthTest {
     }
 }
 
+/// The parts of a block that the depth test works on.
+struct Fragments<'a> {
+    live: &'a mut u64,
+    slots: &'a [Slot],
+    depth: &'a mut Lanes,
+}
+
 /// Drops the fragments that fail the depth test, and writes the depth of the
 /// others, at once or into `block.depth` where something later can drop them.
 #[inline(always)]
 fn test_depth<S: Simd, D: DepthLanes<S>>(
     s: S,
-    mut source: D,
-    block: &mut Block,
+    fragments: Fragments<'_>,
+    source: &mut D,
     pass: &Pass<'_>,
     tile: &mut Tile<'_>,
 ) {
@@ -269,23 +287,23 @@ fn test_depth<S: Simd, D: DepthLanes<S>>(
         return;
     }
     let test = DepthTest::new(pass.pipeline);
-    let before = block.live;
+    let before = *fragments.live;
     let mut left = 0;
-    for slot in 0..block.count {
-        let at = block.slots[slot];
-        source.enter(s, pass, &at, slot);
+    for (slot, at) in fragments.slots.iter().enumerate() {
+        source.enter(s, pass, at, slot);
         for j in (0..STAMP).step_by(S::LANES) {
             let k = slot * STAMP + j;
             let value = test.biased(s, source.lanes(s, j));
             if needs.late_depth_write {
-                s.store(value, &mut block.depth.0[k..]);
+                s.store(value, &mut fragments.depth.0[k..]);
             }
             let live = s.mask((before >> k) as u32);
             let passed = test.run(s, value, live, tile.aux, at.at as usize + j);
             left |= u64::from(passed.bits()) << k;
         }
     }
-    tile.counters.depth_fail += block.keep(left);
+    *fragments.live = left;
+    tile.counters.depth_fail += u64::from((before & !left).count_ones());
 }
 
 /// Writes the depth of the fragments left.

@@ -10,9 +10,10 @@ use crate::setup::NARROW;
 /// The colour iterators over one stamp after another.
 ///
 /// Source: SST1, colour iterators; they wrap, see [`wrap_colors`].
-pub(super) struct IteratedColors {
+#[derive(Clone, Debug)]
+pub(crate) struct IteratedColors {
     /// What the steps belong to.
-    triangle: u32,
+    pub(super) triangle: u32,
     /// Red, green, blue and alpha within a stamp, less its first fragment.
     ramps: [[i32; STAMP]; 4],
     /// At the stamp's first fragment.
@@ -60,9 +61,9 @@ impl IteratedColors {
 /// `block.color` where the combine units pass them on.
 #[inline(always)]
 pub(crate) fn iterate_colors<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
-    let Block { count, slots, iterated, color, .. } = block;
+    let Block { count, slots, iterated, color, steps, .. } = block;
     let out = if pass.pipeline.passes_iterated { color } else { iterated };
-    let mut colors = IteratedColors::NONE;
+    let colors = &mut steps.colors;
     for (slot, at) in slots[..*count].iter().enumerate() {
         colors.enter(s, pass, at);
         for j in (0..STAMP).step_by(S::LANES) {

@@ -18,6 +18,7 @@ mod chroma_key;
 mod combine;
 mod fog;
 mod iterate;
+mod joined;
 mod output;
 mod stages;
 mod stipple;

@@ -54,7 +54,12 @@ fn reduce<S: Simd>(c: S::I, bits: u32, d: Option<S::I>) -> S::I {
 
 /// Packs colours into elements.
 #[inline(always)]
-fn pack<S: Simd>(s: S, format: PixelFormat, [rb, ga]: [S::I; 2], d: Option<S::I>) -> S::I {
+pub(super) fn pack<S: Simd>(
+    s: S,
+    format: PixelFormat,
+    [rb, ga]: [S::I; 2],
+    d: Option<S::I>,
+) -> S::I {
     let alpha = ga.shr(16);
     match format {
         PixelFormat::Rgb565 => {
@@ -128,20 +133,18 @@ fn blend<S: Simd>(s: S, blend: &Blend, o: &Operands<S>) -> [S::I; 2] {
 }
 
 /// The destination as blending sees it: widened, with what dithering took
-/// given back, and with its alpha from the aux plane or 255.
+/// given back, and with its alpha from the aux plane or 255. `j` is the first
+/// fragment's place in its stamp, and `aux` begins with its element.
 #[inline(always)]
 fn destination<S: Simd>(
     s: S,
     pass: &Pass<'_>,
-    tile: &Tile<'_>,
     config: &Blend,
-    at: usize,
+    format: PixelFormat,
+    element: S::I,
+    aux: &[u16],
     j: usize,
 ) -> [S::I; 2] {
-    let (element, format) = match &tile.color {
-        ColorTile::Bits16(pixels, format) => (s.load16(&pixels[at + j..]), *format),
-        ColorTile::Bits32(pixels, format) => (s.load(&pixels[at + j..]), *format),
-    };
     let [mut rb, mut ga] = unpack(s, format, element);
     if config.subtract_dither && format != PixelFormat::Argb8888 {
         let top = s.splat(0x00ff_00ff);
@@ -150,10 +153,26 @@ fn destination<S: Simd>(
         ga = ga.add16(rest.shr16(2) & s.splat(0xffff)).min16(top);
     }
     if config.alpha_plane {
-        let alpha = (s.load16(&tile.aux[at + j..]) & s.splat(0xff)).shl(16);
+        let alpha = (s.load16(aux) & s.splat(0xff)).shl(16);
         ga = join(s, ga, alpha);
     }
     [rb, ga]
+}
+
+/// Blends a colour with an element of the colour plane.
+#[inline(always)]
+pub(super) fn blended<S: Simd>(
+    s: S,
+    pass: &Pass<'_>,
+    config: &Blend,
+    format: PixelFormat,
+    [source, prefog]: [[S::I; 2]; 2],
+    element: S::I,
+    aux: &[u16],
+    j: usize,
+) -> [S::I; 2] {
+    let destination = destination(s, pass, config, format, element, aux, j);
+    blend(s, config, &Operands { source, destination, prefog })
 }
 
 /// Blends the fragments into `block.color`.
@@ -172,8 +191,12 @@ pub(crate) fn blend_stage<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, til
             } else {
                 source
             };
-            let destination = destination(s, pass, tile, config, at, j);
-            let [rb, ga] = blend(s, config, &Operands { source, destination, prefog });
+            let (element, format) = match &tile.color {
+                ColorTile::Bits16(pixels, format) => (s.load16(&pixels[at + j..]), *format),
+                ColorTile::Bits32(pixels, format) => (s.load(&pixels[at + j..]), *format),
+            };
+            let aux = tile.aux.get(at + j..).unwrap_or(&[]);
+            let [rb, ga] = blended(s, pass, config, format, [source, prefog], element, aux, j);
             s.store(rb, &mut block.color.rb.0[k..]);
             s.store(ga, &mut block.color.ga.0[k..]);
         }

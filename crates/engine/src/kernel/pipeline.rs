@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::block::{Colors, STAMP};
 use super::combine::{Arithmetic, Switches};
 use super::fog::fog_entries;
+use super::joined::{Joined, join_stages};
 use super::lanes::dither_pattern;
 use super::texture::UnitPlan;
 use crate::state::{
@@ -32,6 +33,8 @@ pub(crate) enum Stage {
     Blend,
     DepthWrite,
     Write,
+    /// The end of the list in one loop.
+    Joined(Joined),
 }
 
 /// Which iterated values the stages read.
@@ -89,12 +92,12 @@ impl Pipeline {
                 blend.alpha_plane = false;
             }
         }
-        let needs = needs(&state);
-        let units = units(&state, textures);
         let reads_alpha = reads_alpha(&state, format);
+        let needs = needs(&state, reads_alpha);
+        let units = units(&state, textures);
         let passes_iterated = passes_iterated(&state, reads_alpha);
         let (color, alpha) = (&state.color_combine.unit, &state.alpha_combine.unit);
-        Pipeline {
+        let mut pipeline = Pipeline {
             stages: stages(&state, &needs, &units, passes_iterated),
             passes_iterated,
             arithmetic: Arithmetic::of(color, alpha, reads_alpha),
@@ -110,7 +113,9 @@ impl Pipeline {
             dither: dither_pattern(state.dither),
             undither: dither_pattern(Dither::Ordered4x4).map(|d| 0x000f_000f - d),
             state,
-        }
+        };
+        join_stages(&mut pipeline, format);
+        pipeline
     }
 
     /// Compiles the stages that ready-made fragments pass: no texturing, no
@@ -121,6 +126,8 @@ impl Pipeline {
         state.units = [None; MAX_TMUS];
         state.color_combine.other = Other::Iterated;
         let mut pipeline = Pipeline::new(&state, &[const { None }; MAX_TMUS], format, has_aux);
+        pipeline.stages =
+            stages(&pipeline.state, &pipeline.needs, &pipeline.units, pipeline.passes_iterated);
         let made = [Stage::IterateColors, Stage::Combine];
         pipeline.stages.retain(|stage| !made.contains(stage));
         for stage in &mut pipeline.stages {
@@ -169,24 +176,36 @@ fn transparent_black() -> Arc<Texture> {
     Arc::new(texture.expect("one texel is a valid texture"))
 }
 
-/// Whether the colour or alpha unit reads the iterated colours.
-fn reads_iterated(state: &DrawState) -> bool {
+/// Whether anything reads the iterated colours.
+fn reads_iterated(state: &DrawState, reads_alpha: bool) -> bool {
     let (cc, ac) = (&state.color_combine, &state.alpha_combine);
-    cc.other == Other::Iterated
-        || ac.other == Other::Iterated
-        || cc.local != ColorLocal::Constant
-        || ac.local == AlphaLocal::Iterated
+    let (color, alpha) = (&cc.unit, &ac.unit);
+    let color_other = !color.zero_other || state.chroma_key.is_some();
+    let color_local =
+        color.subtract_local || color.add == Addend::Local || color.factor == Factor::Local;
+    let alpha_other = color.factor == Factor::OtherAlpha
+        || reads_alpha && (!alpha.zero_other || alpha.factor == Factor::OtherAlpha);
+    let alpha_local = color.factor == Factor::LocalAlpha
+        || color.add == Addend::LocalAlpha
+        || reads_alpha
+            && (alpha.subtract_local
+                || alpha.add != Addend::Zero
+                || matches!(alpha.factor, Factor::Local | Factor::LocalAlpha));
+    color_other && cc.other == Other::Iterated
+        || color_local && cc.local != ColorLocal::Constant
+        || alpha_other && ac.other == Other::Iterated
+        || alpha_local && ac.local == AlphaLocal::Iterated
         || state.fog.is_some_and(|fog| fog.amount == FogAmount::IteratedAlpha)
 }
 
-fn needs(state: &DrawState) -> Needs {
+fn needs(state: &DrawState, reads_alpha: bool) -> Needs {
     let fog = |amount: FogAmount| state.fog.is_some_and(|fog| fog.amount == amount);
     let compares = state.depth.test.is_some_and(|test| test != Compare::Always);
     let depth = compares || state.aux_write == AuxWrite::Depth;
     Needs {
         keeps_z: fog(FogAmount::IteratedZ) || state.alpha_combine.local == AlphaLocal::Depth,
         keeps_w: fog(FogAmount::Table),
-        colors: reads_iterated(state),
+        colors: reads_iterated(state, reads_alpha),
         late_depth_write: state.chroma_key.is_some()
             || state.alpha_test.is_some()
             || state.blend.is_some_and(|blend| blend.alpha_plane),
@@ -213,39 +232,19 @@ fn reads_alpha(state: &DrawState, format: PixelFormat) -> bool {
         || state.aux_write == AuxWrite::Alpha
 }
 
-/// What a combine unit passes on unchanged, if it does no more.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Passed {
-    Other,
-    Local,
-}
-
-fn passed(unit: &CombineUnit<Factor>) -> Option<Passed> {
-    if unit.subtract_local || unit.invert {
-        return None;
-    }
-    let whole = unit.factor == Factor::Zero && unit.one_minus;
-    match (unit.zero_other, unit.add) {
-        (false, Addend::Zero) if whole => Some(Passed::Other),
-        (true, Addend::Local) => Some(Passed::Local),
-        _ => None,
-    }
-}
-
 /// Whether the fragments' colours are the iterated ones, and no other stage
 /// reads those.
 fn passes_iterated(state: &DrawState, reads_alpha: bool) -> bool {
     let (cc, ac) = (&state.color_combine, &state.alpha_combine);
-    let color = match passed(&cc.unit) {
-        Some(Passed::Other) => cc.other == Other::Iterated,
-        Some(Passed::Local) => cc.local == ColorLocal::Iterated,
-        None => false,
-    };
-    let alpha = match passed(&ac.unit) {
-        Some(Passed::Other) => ac.other == Other::Iterated,
-        Some(Passed::Local) => ac.local == AlphaLocal::Iterated,
-        None => false,
-    };
+    // Multiplied by one whole.
+    let passes_other =
+        |unit: &CombineUnit<Factor>| unit.scales() && unit.factor == Factor::Zero && unit.one_minus;
+    let color = passes_other(&cc.unit) && cc.other == Other::Iterated
+        || cc.unit.passes_local()
+            && cc.unit.add == Addend::Local
+            && cc.local == ColorLocal::Iterated;
+    let alpha = passes_other(&ac.unit) && ac.other == Other::Iterated
+        || ac.unit.passes_local() && ac.local == AlphaLocal::Iterated;
     let fogged = state.fog.is_some_and(|fog| fog.amount == FogAmount::IteratedAlpha);
     color && (alpha || !reads_alpha) && state.chroma_key.is_none() && !fogged
 }

@@ -3,6 +3,7 @@
 use fillrate_simd::{Kernel, Simd};
 
 use super::block::Block;
+use super::joined::{self, ColorSource};
 use super::pipeline::Stage;
 use super::texture::{address, fetch, texture_combine};
 use super::{Pass, Tile, alpha_test, chroma_key, combine, depth, fog, iterate, output, stipple};
@@ -60,6 +61,18 @@ stage!(alpha_test, |s, block, pass, tile| alpha_test::alpha_test(s, block, pass,
 stage!(fog, |s, block, pass, _tile| fog::fog(s, block, pass));
 stage!(depth_write, |s, block, _pass, tile| depth::depth_write(s, block, tile));
 stage!(blend, |s, block, pass, tile| output::blend_stage(s, block, pass, tile));
+stage!(iterated_end, |s, block, pass, tile| {
+    joined::run_joined::<S, false, false, true>(s, block, pass, tile)
+});
+stage!(depth_iterated_end, |s, block, pass, tile| {
+    joined::run_joined::<S, true, false, true>(s, block, pass, tile)
+});
+stage!(texel_end, |s, block, pass, tile| {
+    joined::run_joined::<S, false, true, false>(s, block, pass, tile)
+});
+stage!(product_end, |s, block, pass, tile| {
+    joined::run_joined::<S, false, true, true>(s, block, pass, tile)
+});
 stage!(write, |s, block, pass, tile| output::write(s, block, pass, tile));
 
 fn stipple_stage<S: Simd>(_: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
@@ -91,6 +104,12 @@ pub(crate) fn stage_list<S: Simd>(stages: &[Stage], out: &mut StageList<S>) {
             Stage::DepthWrite => depth_write,
             Stage::Blend => blend,
             Stage::Write => write,
+            Stage::Joined(end) => match (end.depth, end.color) {
+                (false, ColorSource::Iterated) => iterated_end,
+                (true, _) => depth_iterated_end,
+                (false, ColorSource::Texel) => texel_end,
+                (false, ColorSource::Product) => product_end,
+            },
         }
     }));
 }

@@ -95,6 +95,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
         let rect = self.grid.tile(index);
         let mut target = Target { rect, color, aux };
         for chunk in chunks {
+            self.block.forget_steps();
             for entry in chunk.tile(index) {
                 match *entry {
                     Entry::Triangle(i) => self.triangle(chunk, i, &mut target),
@@ -125,6 +126,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             _ => &batch.pipeline,
         };
         stage_list(&pipeline.stages, &mut self.list);
+        self.block.forget_steps();
         self.current = Some(Current { state, pixels, pipeline, clip: &batch.clip });
     }
 

@@ -5,7 +5,7 @@ use fillrate_simd::{FloatLanes, IntLanes, Simd};
 use super::UnitPlan;
 use super::lod::{lod_at, smallest_w, smallest_w_below};
 use crate::kernel::Pass;
-use crate::kernel::block::{Block, STAMP, Slot};
+use crate::kernel::block::{Block, Lanes, STAMP, Slot};
 use crate::kernel::lanes::ramp_wide;
 use crate::setup::{Plane64, Triangle};
 use crate::state::Filter;
@@ -26,7 +26,9 @@ struct LevelLanes<S: Simd> {
 
 /// What a triangle's stamps share: the steps within a stamp, and where the
 /// levels of detail change.
-struct TriangleSteps {
+#[derive(Clone, Debug)]
+pub(crate) struct TextureSteps {
+    pub(in crate::kernel) triangle: u32,
     s: [f64; STAMP],
     t: [f64; STAMP],
     w: [f64; STAMP],
@@ -42,15 +44,16 @@ struct TriangleSteps {
 }
 
 /// One level, and the range of w that selects it.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Level {
     number: usize,
     least: f64,
     limit: f64,
 }
 
-impl TriangleSteps {
-    const EMPTY: TriangleSteps = TriangleSteps {
+impl TextureSteps {
+    pub const NONE: TextureSteps = TextureSteps {
+        triangle: u32::MAX,
         s: [0.0; STAMP],
         t: [0.0; STAMP],
         w: [0.0; STAMP],
@@ -73,13 +76,16 @@ impl TriangleSteps {
         self.fall = right.min(0.0) + down.min(0.0);
         self.base = base_lod(plan, triangle);
         let (finest, coarsest) = plan.levels();
+        // Half the w is one level more.
+        let mut next = smallest_w_below(self.base, 1);
         for (n, threshold) in self.thresholds.iter_mut().enumerate() {
             // Levels outside the limits are never, or always, passed.
             *threshold = match n as i32 + 1 {
                 level if level <= finest => f64::INFINITY,
                 level if level > coarsest => f64::NEG_INFINITY,
-                level => smallest_w_below(self.base, level),
+                _ => next,
             };
+            next *= 0.5;
         }
         self.last = Level { number: 0, least: 0.0, limit: 0.0 };
     }
@@ -116,26 +122,36 @@ fn base_lod(plan: &UnitPlan, triangle: &Triangle) -> i32 {
 /// addresses of both rows, and the weights.
 #[inline(always)]
 pub(crate) fn address<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, plan: &UnitPlan) {
-    let mut steps = TriangleSteps::EMPTY;
-    let mut current = u32::MAX;
-    for slot in 0..block.count {
-        let at = block.slots[slot];
+    let Block { count, slots, lod, row0, row1, weight_s, weight_t, steps, .. } = block;
+    let steps = &mut steps.units[plan.index];
+    let mut out = Samples { row0, row1, weight_s, weight_t };
+    for (slot, &at) in slots[..*count].iter().enumerate() {
         let triangle = &pass.triangles[at.triangle as usize];
+        let lod = &mut lod.0[slot * STAMP..][..STAMP];
         if !triangle.exact {
-            inexact_stamp(s, block, plan, triangle, slot);
+            lods_of_stamp(lod, plan, triangle, at);
+            inexact_stamp(s, &mut out, plan, triangle, (slot, at), lod);
             continue;
         }
-        if at.triangle != current {
-            current = at.triangle;
+        if at.triangle != steps.triangle {
+            steps.triangle = at.triangle;
             steps.set(s, plan, triangle);
         }
         if plan.needs_lod {
-            lods_of_stamp(&mut block.lod.0[slot * STAMP..], plan, triangle, at);
-            stamp::<S, true>(s, block, plan, triangle, slot, &mut steps);
+            lods_of_stamp(lod, plan, triangle, at);
+            stamp::<S, true>(s, &mut out, plan, triangle, (slot, at), lod, steps);
         } else {
-            stamp::<S, false>(s, block, plan, triangle, slot, &mut steps);
+            stamp::<S, false>(s, &mut out, plan, triangle, (slot, at), lod, steps);
         }
     }
+}
+
+/// Where a unit's samples are described.
+struct Samples<'a> {
+    row0: &'a mut Lanes,
+    row1: &'a mut Lanes,
+    weight_s: &'a mut Lanes,
+    weight_t: &'a mut Lanes,
 }
 
 /// The unit's w plane: one everywhere without perspective.
@@ -171,12 +187,12 @@ fn quotient(s: i64, w: i64, clamp_negative_w: bool) -> i32 {
 #[inline(always)]
 fn inexact_stamp<S: Simd>(
     s: S,
-    block: &mut Block,
+    out: &mut Samples<'_>,
     plan: &UnitPlan,
     triangle: &Triangle,
-    slot: usize,
+    (slot, at): (usize, Slot),
+    lods: &[i32],
 ) {
-    let at = block.slots[slot];
     let [ps, pt, _] = &triangle.tmu[plan.index];
     let pw = w_plane(plan, triangle);
     let (mut qs, mut qt) = ([0; STAMP], [0; STAMP]);
@@ -186,25 +202,24 @@ fn inexact_stamp<S: Simd>(
         qs[i] = quotient(ps.at(x, y), w, clamp);
         qt[i] = quotient(pt.at(x, y), w, clamp);
     }
-    lods_of_stamp(&mut block.lod.0[slot * STAMP..], plan, triangle, at);
     for j in (0..STAMP).step_by(S::LANES) {
         let k = slot * STAMP + j;
-        let levels = levels_by_lod(s, plan, s.load(&block.lod.0[k..]));
-        store_address(s, block, plan, k, [s.load(&qs[j..]), s.load(&qt[j..])], &levels);
+        let levels = levels_by_lod(s, plan, s.load(&lods[j..]));
+        store_address(s, out, plan, k, [s.load(&qs[j..]), s.load(&qt[j..])], &levels);
     }
 }
 
-/// A stamp in float lanes; `LODS` where `block.lod` holds the levels of detail.
+/// A stamp in float lanes; `LODS` where levels come from `lods`.
 #[inline(always)]
 fn stamp<S: Simd, const LODS: bool>(
     s: S,
-    block: &mut Block,
+    out: &mut Samples<'_>,
     plan: &UnitPlan,
     triangle: &Triangle,
-    slot: usize,
-    steps: &mut TriangleSteps,
+    (slot, at): (usize, Slot),
+    lods: &[i32],
+    steps: &mut TextureSteps,
 ) {
-    let at = block.slots[slot];
     let [ps, pt, _] = &triangle.tmu[plan.index];
     let corner_w = w_plane(plan, triangle).at(at.x, at.y) as f64;
     // w is linear, so its extremes are at corners.
@@ -229,10 +244,10 @@ fn stamp<S: Simd, const LODS: bool>(
         }
         let lanes = match level {
             Some(level) => one_level(s, plan, level, bilinear_lanes(s, plan, steps.base, w)),
-            None if LODS => levels_by_lod(s, plan, s.load(&block.lod.0[k..])),
+            None if LODS => levels_by_lod(s, plan, s.load(&lods[j..])),
             None => levels_by_w(s, plan, steps, w),
         };
-        store_address(s, block, plan, k, [qs, qt], &lanes);
+        store_address(s, out, plan, k, [qs, qt], &lanes);
     }
 }
 
@@ -253,7 +268,7 @@ fn one_level<S: Simd>(s: S, plan: &UnitPlan, level: usize, bilinear: S::I) -> Le
 
 /// Address lanes of the levels that `w` selects.
 #[inline(always)]
-fn levels_by_w<S: Simd>(s: S, plan: &UnitPlan, steps: &TriangleSteps, w: S::F) -> LevelLanes<S> {
+fn levels_by_w<S: Simd>(s: S, plan: &UnitPlan, steps: &TextureSteps, w: S::F) -> LevelLanes<S> {
     let mut level = s.splat(0);
     for (n, &threshold) in steps.thresholds.iter().enumerate() {
         level = s.splat(n as i32 + 1).select(level, w.lt(s.splat_f(threshold)));
@@ -305,7 +320,7 @@ fn lookup<S: Simd>(s: S, plan: &UnitPlan, level: S::I, bilinear: S::I) -> LevelL
 #[inline(always)]
 fn store_address<S: Simd>(
     s: S,
-    block: &mut Block,
+    out: &mut Samples<'_>,
     plan: &UnitPlan,
     k: usize,
     [qs, qt]: [S::I; 2],
@@ -320,14 +335,14 @@ fn store_address<S: Simd>(
     let next =
         if plan.unit.clamp_t { (row + one).min(level.t_mask) } else { (row + one) & level.t_mask };
     let start = level.base + column;
-    s.store(start + row.mul(level.pitch), &mut block.row0.0[k..]);
-    s.store(start + next.mul(level.pitch), &mut block.row1.0[k..]);
+    s.store(start + row.mul(level.pitch), &mut out.row0.0[k..]);
+    s.store(start + next.mul(level.pitch), &mut out.row1.0[k..]);
     // Weights of the texel and its right neighbour as bytes, 16 together.
     let ds = x.sar(4) & level.fraction;
     let pair = ds.shl(8) - ds + s.splat(16);
-    s.store(pair | pair.shl(16), &mut block.weight_s.0[k..]);
+    s.store(pair | pair.shl(16), &mut out.weight_s.0[k..]);
     let dt = y.sar(4) & level.fraction;
-    s.store(dt | dt.shl(16), &mut block.weight_t.0[k..]);
+    s.store(dt | dt.shl(16), &mut out.weight_t.0[k..]);
 }
 
 /// Clamps or wraps a coordinate of 8 fraction bits to a side of mask + 1
