@@ -7,7 +7,7 @@
 use core::ops::Range;
 
 use crate::device::arena::{Arena, Command, Run};
-use crate::setup::{Outcome, Registers, Triangle, prepare, triangle};
+use crate::setup::{Outcome, Registers, Triangle, Triangles, prepare, triangle};
 use crate::state::Rect;
 use crate::stats::Counters;
 
@@ -56,7 +56,7 @@ impl Grid {
 /// A part of the arena, set up and binned.
 #[derive(Debug, Default)]
 pub(crate) struct Chunk {
-    pub triangles: Vec<Triangle>,
+    pub triangles: Triangles,
     pub counters: Counters,
     pairs: Vec<(u32, Entry)>,
     starts: Vec<u32>,
@@ -102,19 +102,21 @@ impl Chunk {
     fn launch(&mut self, arena: &Arena, registers: &Registers, state: u32, grid: &Grid) {
         let batch = &arena.states[state as usize];
         let units = batch.pipeline.unit_count;
-        let Some(triangle) = prepare(registers, &batch.screen, state, units) else { return };
-        let index = self.triangles.len() as u32;
+        let index = self.triangles.list.len() as u32;
+        let Some(triangle) = prepare(registers, &batch.screen, state, units, &mut self.triangles)
+        else {
+            return;
+        };
         let (columns, rows) = grid.touched(&triangle.bounds);
         let single = columns.len() == 1 && rows.len() == 1;
         for row in rows {
             for column in columns.clone() {
                 let tile = row * grid.across + column;
-                if single || touches(&triangle, &grid.tile(tile as usize)) {
+                if single || touches(triangle, &grid.tile(tile as usize)) {
                     self.pairs.push((tile, Entry::Triangle(index)));
                 }
             }
         }
-        self.triangles.push(triangle);
     }
 
     fn add_rect(&mut self, rect: &Rect, entry: Entry, grid: &Grid) {

@@ -107,7 +107,7 @@ pub(crate) struct Arena {
 }
 
 /// Commands after which an arena is drawn without being asked.
-const MAX_COMMANDS: usize = 1 << 15;
+const MAX_COMMANDS: usize = 1 << 13;
 /// Draw states after which it is.
 const MAX_STATES: usize = 1 << 12;
 /// Fragments after which it is.

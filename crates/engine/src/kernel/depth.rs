@@ -8,7 +8,7 @@ use fillrate_simd::{FloatLanes, IntLanes, MaskLanes, Simd};
 use super::block::{Block, Lanes, STAMP, Slot};
 use super::lanes::{ramp, ramp_wide, wrap};
 use super::{Pass, Pipeline, Tile};
-use crate::setup::{Triangle, Z};
+use crate::setup::{Plane64, Z};
 use crate::state::{Compare, DepthSource};
 
 /// The pseudo-float of a 48-bit w with 32 fraction bits: 4 exponent bits and
@@ -68,7 +68,7 @@ impl IteratedZ {
 impl<S: Simd> DepthLanes<S> for IteratedZ {
     #[inline(always)]
     fn enter(&mut self, s: S, pass: &Pass<'_>, at: &Slot, _slot: usize) {
-        let narrow = &pass.triangles[at.triangle as usize].narrow;
+        let narrow = &pass.triangle(at).narrow;
         if at.triangle != self.triangle {
             self.triangle = at.triangle;
             ramp(s, narrow.dx[Z], narrow.dy[Z], &mut self.ramp);
@@ -99,15 +99,16 @@ impl IteratedW {
 impl<S: Simd> DepthLanes<S> for IteratedW {
     #[inline(always)]
     fn enter(&mut self, s: S, pass: &Pass<'_>, at: &Slot, _slot: usize) {
-        let triangle = &pass.triangles[at.triangle as usize];
+        let triangle = pass.triangle(at);
+        let plane = pass.triangles.w(triangle);
         if !triangle.exact {
-            return exact_w_of_stamp(triangle, at.x, at.y, &mut self.values);
+            return exact_w_of_stamp(plane, at.x, at.y, &mut self.values);
         }
         if at.triangle != self.triangle {
             self.triangle = at.triangle;
-            ramp_wide(s, &triangle.w, &mut self.ramp);
+            ramp_wide(s, plane, &mut self.ramp);
         }
-        let base = s.splat_f(triangle.w.at(at.x, at.y) as f64);
+        let base = s.splat_f(plane.at(at.x, at.y) as f64);
         for j in (0..STAMP).step_by(S::LANES) {
             let w = base + s.load_f(&self.ramp[j..]);
             s.store(float_w_lanes(s, w), &mut self.values[j..]);
@@ -121,9 +122,9 @@ impl<S: Simd> DepthLanes<S> for IteratedW {
 }
 
 /// The pseudo-float w of a stamp whose iterators are too large for floats.
-fn exact_w_of_stamp(triangle: &Triangle, x: i32, y: i32, out: &mut [i32; STAMP]) {
+fn exact_w_of_stamp(w: &Plane64, x: i32, y: i32, out: &mut [i32; STAMP]) {
     for (i, out) in out.iter_mut().enumerate() {
-        *out = i32::from(float_w(triangle.w.at(x + (i & 3) as i32, y + (i >> 2) as i32)));
+        *out = i32::from(float_w(w.at(x + (i & 3) as i32, y + (i >> 2) as i32)));
     }
 }
 

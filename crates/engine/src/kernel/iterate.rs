@@ -27,7 +27,7 @@ impl IteratedColors {
     /// Goes to a stamp.
     #[inline(always)]
     pub fn enter<S: Simd>(&mut self, s: S, pass: &Pass<'_>, at: &Slot) {
-        let narrow = &pass.triangles[at.triangle as usize].narrow;
+        let narrow = &pass.triangle(at).narrow;
         if at.triangle != self.triangle {
             self.triangle = at.triangle;
             for (lane, ramp_of_lane) in self.ramps.iter_mut().enumerate() {

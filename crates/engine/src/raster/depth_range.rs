@@ -2,7 +2,7 @@
 
 use crate::kernel::Pipeline;
 use crate::kernel::depth::float_w;
-use crate::setup::{Triangle, Z};
+use crate::setup::{Triangle, Triangles, Z};
 use crate::state::{AuxWrite, Compare, DepthSource, Rect};
 use crate::target::TileCell;
 
@@ -10,6 +10,7 @@ use crate::target::TileCell;
 /// where iterators may wrap there.
 pub(crate) fn depth_range(
     pipeline: &Pipeline,
+    triangles: &Triangles,
     triangle: &Triangle,
     area: &Rect,
 ) -> Option<(u16, u16)> {
@@ -28,7 +29,7 @@ pub(crate) fn depth_range(
             (low >> 12, high >> 12)
         }
         DepthSource::FloatW => {
-            let w = &triangle.w;
+            let w = triangles.w(triangle);
             if !triangle.exact {
                 return None;
             }

@@ -8,10 +8,13 @@ use crate::bins::{Chunk, Entry, Grid};
 use crate::device::arena::{Arena, BatchState, Clear, Pixel, Run};
 use crate::kernel::block::{Block, SLOTS, STAMP, Slot};
 use crate::kernel::{ColorTile, Pass, Pipeline, StageList, Tile, run, stage_list};
-use crate::setup::Triangle;
+use crate::setup::{Triangle, Triangles};
 use crate::state::{Dither, Rect};
 use crate::stats::Counters;
 use crate::target::{PixelFormat, Plane, TileCell, pack, stamp_index};
+
+/// How many entries ahead triangles are fetched: a tile's lie far apart.
+const AHEAD: usize = 4;
 
 /// What one worker keeps while it draws tiles.
 pub(crate) struct TilePainter<'a, S: Simd> {
@@ -96,7 +99,11 @@ impl<'a, S: Simd> TilePainter<'a, S> {
         let mut target = Target { rect, color, aux };
         for chunk in chunks {
             self.block.forget_steps();
-            for entry in chunk.tile(index) {
+            let entries = chunk.tile(index);
+            for (i, entry) in entries.iter().enumerate() {
+                if let Some(Entry::Triangle(next)) = entries.get(i + AHEAD) {
+                    chunk.triangles.prefetch(*next);
+                }
                 match *entry {
                     Entry::Triangle(i) => self.triangle(chunk, i, &mut target),
                     Entry::Clear(i) => {
@@ -132,7 +139,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
 
     /// Draws the fragments gathered so far.
     #[inline(always)]
-    fn finish(&mut self, triangles: &[Triangle], target: &mut Target<'_>) {
+    fn finish(&mut self, triangles: &Triangles, target: &mut Target<'_>) {
         let Some(current) = &self.current else { return };
         if self.block.count == 0 {
             return;
@@ -146,7 +153,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
     /// Adds a stamp's fragments to the block, drawing first what is in the
     /// way: a full block, or other fragments of the same stamp.
     #[inline(always)]
-    fn push(&mut self, slot: Slot, mask: u32, triangles: &[Triangle], target: &mut Target<'_>) {
+    fn push(&mut self, slot: Slot, mask: u32, triangles: &Triangles, target: &mut Target<'_>) {
         let count = self.block.count;
         // A triangle has a stamp once, so only other triangles can hold it.
         let mut held = false;
@@ -165,7 +172,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
 
     #[inline(always)]
     fn triangle(&mut self, chunk: &Chunk, index: u32, target: &mut Target<'_>) {
-        let triangle = &chunk.triangles[index as usize];
+        let triangle = &chunk.triangles.list[index as usize];
         let s = self.s;
         let Some(coverage) = TileCoverage::new(s, triangle, &target.rect) else { return };
         let current = match self.current {
@@ -177,7 +184,8 @@ impl<'a, S: Simd> TilePainter<'a, S> {
                 current
             }
         };
-        if self.is_hidden(current.pipeline, triangle, &coverage, current.clip, target) {
+        let triangles = &chunk.triangles;
+        if self.is_hidden(&current, triangles, triangle, &coverage, target) {
             return;
         }
         target.materialize();
@@ -214,17 +222,18 @@ impl<'a, S: Simd> TilePainter<'a, S> {
     #[inline(always)]
     fn is_hidden(
         &mut self,
-        pipeline: &Pipeline,
+        current: &Current<'_>,
+        triangles: &Triangles,
         triangle: &Triangle,
         coverage: &TileCoverage,
-        clip: &Rect,
         target: &mut Target<'_>,
     ) -> bool {
+        let (pipeline, clip) = (current.pipeline, current.clip);
         let Some(aux) = &mut target.aux else { return false };
         if !pipeline.needs.depth && !pipeline.writes_aux() {
             return false;
         }
-        let range = depth_range(pipeline, triangle, &coverage.area);
+        let range = depth_range(pipeline, triangles, triangle, &coverage.area);
         if let Some(range) = range
             && pipeline.state.stipple.is_none()
             && is_hidden(pipeline, range, aux)
@@ -296,6 +305,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             aux.include(0, 0xffff);
         }
         let y = run.y & !3;
+        let none = Triangles::default();
         for x in (from & !3..to).step_by(4) {
             let row = (run.y & 3) * 4;
             let mut mask = 0;
@@ -310,8 +320,8 @@ impl<'a, S: Simd> TilePainter<'a, S> {
                 let at = stamp_index(x - target.rect.x0, y - target.rect.y0, self.grid.bits);
                 let slot = Slot { triangle: 0, at: at as u32, x: x as i32, y: y as i32 };
                 // One stamp a block: the fragments are already in its lanes.
-                self.push(slot, mask, &[], target);
-                self.finish(&[], target);
+                self.push(slot, mask, &none, target);
+                self.finish(&none, target);
             }
         }
     }

@@ -98,11 +98,6 @@ impl Plane64 {
             .wrapping_add(self.dy.wrapping_mul(i64::from(y)))
     }
 
-    /// The same value everywhere.
-    pub fn constant(value: i64) -> Plane64 {
-        Plane64 { c: value, dx: 0, dy: 0 }
-    }
-
     /// Whether all values over `area` are below `limit` in magnitude, wrapping
     /// excluded.
     fn is_below(&self, start: f64, [x, y]: [f64; 2], area: &Rect, limit: f64) -> bool {
@@ -117,23 +112,59 @@ impl Plane64 {
 /// A triangle ready for the tiles. Coordinates are screen pixels.
 #[derive(Clone, Debug)]
 pub(crate) struct Triangle {
+    /// Every covered pixel of the surface lies inside; not empty.
+    pub bounds: Rect,
     /// Index of the pipeline in the batch.
     pub state: u32,
     /// Edges in use.
-    pub edge_count: u32,
-    pub edges: [Edge; 3],
-    /// Every covered pixel of the surface lies inside; not empty.
-    pub bounds: Rect,
-    /// Colours and z.
-    pub narrow: Narrow,
-    pub w: Plane64,
-    /// s, t, w of each unit.
-    pub tmu: [[Plane64; 3]; MAX_TMUS],
-    /// Level of detail of each unit at w = 1, without bias.
-    pub lod_base: [i32; MAX_TMUS],
+    pub edge_count: u8,
     /// Whether w, and s, t, w of the units in use, are small enough over
     /// `bounds` to be iterated in floats exactly.
     pub exact: bool,
+    /// First of its 64-bit planes in [`Triangles`].
+    wide: u32,
+    /// Level of detail of each unit at w = 1, without bias.
+    pub lod_base: [i32; MAX_TMUS],
+    pub edges: [Edge; 3],
+    /// Colours and z.
+    pub narrow: Narrow,
+}
+
+/// Triangles ready for the tiles, with their 64-bit planes: w of the pixel
+/// pipeline, then s, t and w of each unit in use.
+#[derive(Debug, Default)]
+pub(crate) struct Triangles {
+    pub list: Vec<Triangle>,
+    wides: Vec<Plane64>,
+}
+
+impl Triangles {
+    pub fn clear(&mut self) {
+        self.list.clear();
+        self.wides.clear();
+    }
+
+    /// w of the pixel pipeline.
+    #[inline(always)]
+    pub fn w(&self, triangle: &Triangle) -> &Plane64 {
+        &self.wides[triangle.wide as usize]
+    }
+
+    /// s, t and w of a unit in use.
+    #[inline(always)]
+    pub fn unit<'a>(&'a self, triangle: &Triangle, unit: usize) -> [&'a Plane64; 3] {
+        let first = triangle.wide as usize + 1 + 3 * unit;
+        let [s, t, w] = &self.wides[first..first + 3] else { unreachable!("three planes") };
+        [s, t, w]
+    }
+
+    /// Tells the processor that a triangle is needed soon.
+    #[inline(always)]
+    pub fn prefetch(&self, index: u32) {
+        if let Some(triangle) = self.list.get(index as usize) {
+            fillrate_simd::prefetch(triangle);
+        }
+    }
 }
 
 /// Where a triangle is drawn.
@@ -149,43 +180,46 @@ pub(crate) struct Screen {
 const COORDINATE_LIMIT: f64 = (1u64 << 44) as f64;
 const W_LIMIT: f64 = (1u64 << 46) as f64;
 
-/// Converts a launched triangle; `None` where it covers no pixel of the
-/// screen. `units` is how many texture units iterate.
-pub(crate) fn prepare(
+/// Converts a launched triangle and appends it to `out`; `None` where it covers
+/// no pixel of the screen. `units` is how many texture units iterate.
+pub(crate) fn prepare<'a>(
     registers: &Registers,
     screen: &Screen,
     state: u32,
     units: usize,
-) -> Option<Triangle> {
+    out: &'a mut Triangles,
+) -> Option<&'a Triangle> {
     let bounds = bounds(registers, screen)?;
     let planes = Corrected::new(registers, screen);
+    let area = stamp_aligned(&bounds);
+    let wide = out.wides.len() as u32;
+    let mut exact = true;
+    let mut add = |param: &WideParam, limit: f64| {
+        let (plane, below) = planes.plane64(param, &area, limit);
+        exact &= below;
+        out.wides.push(plane);
+        plane
+    };
+    add(&registers.w, W_LIMIT);
+    let mut lod_base_of_unit = [0; MAX_TMUS];
+    for (lod, [s, t, w]) in lod_base_of_unit.iter_mut().zip(&registers.tmu).take(units) {
+        let (s, t) = (add(s, COORDINATE_LIMIT), add(t, COORDINATE_LIMIT));
+        add(w, W_LIMIT);
+        *lod = lod_base(&s, &t);
+    }
     let mut triangle = Triangle {
+        bounds,
         state,
         edge_count: 0,
+        exact,
+        wide,
+        lod_base: lod_base_of_unit,
         edges: [Edge::default(); 3],
-        bounds,
         narrow: planes.narrow(registers),
-        w: Plane64::default(),
-        tmu: [[Plane64::default(); 3]; MAX_TMUS],
-        lod_base: [0; MAX_TMUS],
-        exact: true,
     };
-    let area = stamp_aligned(&bounds);
-    (triangle.w, triangle.exact) = planes.plane64(&registers.w, &area, W_LIMIT);
-    for (out, unit) in triangle.tmu.iter_mut().zip(&registers.tmu).take(units) {
-        for (i, (out, param)) in out.iter_mut().zip(unit).enumerate() {
-            let limit = if i == 2 { W_LIMIT } else { COORDINATE_LIMIT };
-            let exact;
-            (*out, exact) = planes.plane64(param, &area, limit);
-            triangle.exact &= exact;
-        }
-    }
-    for unit in 0..units {
-        let [s, t, _] = &triangle.tmu[unit];
-        triangle.lod_base[unit] = lod_base(s, t);
-    }
     add_edges(&mut triangle, registers, screen);
-    Some(triangle)
+    out.list.push(triangle);
+    out.list.last()
 }
 
 fn add_edges(triangle: &mut Triangle, registers: &Registers, screen: &Screen) {
@@ -310,6 +344,11 @@ mod tests {
         }
     }
 
+    fn prepared(screen: &Screen) -> Triangle {
+        let mut triangles = Triangles::default();
+        prepare(&right_triangle(), screen, 0, 0, &mut triangles).unwrap().clone()
+    }
+
     fn covered(triangle: &Triangle) -> u32 {
         let inside = |x: u32, y: u32| {
             triangle.edges[..triangle.edge_count as usize]
@@ -322,14 +361,14 @@ mod tests {
 
     #[test]
     fn top_left_rule() {
-        let triangle = prepare(&right_triangle(), &SCREEN, 0, 0).unwrap();
+        let triangle = prepared(&SCREEN);
         assert_eq!(triangle.bounds, Rect::new(8, 8, 16, 16));
         assert_eq!(covered(&triangle), 8 + 7 + 6 + 5 + 4 + 3 + 2 + 1);
     }
 
     #[test]
     fn planes_pass_through_the_first_vertex() {
-        let triangle = prepare(&right_triangle(), &SCREEN, 0, 0).unwrap();
+        let triangle = prepared(&SCREEN);
         assert_eq!(triangle.narrow.value(0, 8, 8), 7 << 20);
         assert_eq!(triangle.narrow.value(0, 9, 30), (7 + 16) << 20);
     }
@@ -337,7 +376,7 @@ mod tests {
     #[test]
     fn lower_left_mirrors_rows() {
         let screen = Screen { origin: Origin::LowerLeft, ..SCREEN };
-        let triangle = prepare(&right_triangle(), &screen, 0, 0).unwrap();
+        let triangle = prepared(&screen);
         assert_eq!(triangle.bounds, Rect::new(8, 48, 16, 56));
         assert_eq!(covered(&triangle), 36);
         assert!(triangle.edges[0].at(8, 55) >= 0 && triangle.edges[0].at(8, 54) < 0);

@@ -7,7 +7,7 @@ use super::lod::{lod_at, smallest_w, smallest_w_below};
 use crate::kernel::Pass;
 use crate::kernel::block::{Block, Lanes, STAMP, Slot};
 use crate::kernel::lanes::ramp_wide;
-use crate::setup::{Plane64, Triangle};
+use crate::setup::Plane64;
 use crate::state::Filter;
 
 /// How one level is addressed, lane by lane.
@@ -65,16 +65,14 @@ impl TextureSteps {
     };
 
     #[inline(always)]
-    fn set<S: Simd>(&mut self, s: S, plan: &UnitPlan, triangle: &Triangle) {
-        let [ps, pt, _] = &triangle.tmu[plan.index];
-        let w = w_plane(plan, triangle);
+    fn set<S: Simd>(&mut self, s: S, plan: &UnitPlan, [ps, pt, w]: [&Plane64; 3], base: i32) {
         ramp_wide(s, ps, &mut self.s);
         ramp_wide(s, pt, &mut self.t);
-        ramp_wide(s, &w, &mut self.w);
+        ramp_wide(s, w, &mut self.w);
         let (right, down) = (w.dx as f64 * 3.0, w.dy as f64 * 3.0);
         self.rise = right.max(0.0) + down.max(0.0);
         self.fall = right.min(0.0) + down.min(0.0);
-        self.base = base_lod(plan, triangle);
+        self.base = base;
         let (finest, coarsest) = plan.levels();
         // Half the w is one level more.
         let mut next = smallest_w_below(self.base, 1);
@@ -112,11 +110,8 @@ impl TextureSteps {
     }
 }
 
-/// Level of detail of a triangle at w = 1, with the bias.
-#[inline(always)]
-fn base_lod(plan: &UnitPlan, triangle: &Triangle) -> i32 {
-    triangle.lod_base[plan.index] + i32::from(plan.unit.lod.bias)
-}
+/// w where there is no perspective: one everywhere.
+static NO_PERSPECTIVE: Plane64 = Plane64 { c: 1 << 32, dx: 0, dy: 0 };
 
 /// Coordinates of every fragment of the block for `plan`'s unit: texel
 /// addresses of both rows, and the weights.
@@ -126,22 +121,28 @@ pub(crate) fn address<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, plan: &
     let steps = &mut steps.units[plan.index];
     let mut out = Samples { row0, row1, weight_s, weight_t };
     for (slot, &at) in slots[..*count].iter().enumerate() {
-        let triangle = &pass.triangles[at.triangle as usize];
+        let triangle = pass.triangle(&at);
+        let mut planes = pass.triangles.unit(triangle, plan.index);
+        if !plan.unit.perspective {
+            planes[2] = &NO_PERSPECTIVE;
+        }
+        let base = triangle.lod_base[plan.index] + i32::from(plan.unit.lod.bias);
         let lod = &mut lod.0[slot * STAMP..][..STAMP];
+        if plan.needs_lod || !triangle.exact {
+            lods_of_stamp(lod, plan, planes[2], base, at);
+        }
         if !triangle.exact {
-            lods_of_stamp(lod, plan, triangle, at);
-            inexact_stamp(s, &mut out, plan, triangle, (slot, at), lod);
+            inexact_stamp(s, &mut out, plan, planes, (slot, at), lod);
             continue;
         }
         if at.triangle != steps.triangle {
             steps.triangle = at.triangle;
-            steps.set(s, plan, triangle);
+            steps.set(s, plan, planes, base);
         }
         if plan.needs_lod {
-            lods_of_stamp(lod, plan, triangle, at);
-            stamp::<S, true>(s, &mut out, plan, triangle, (slot, at), lod, steps);
+            stamp::<S, true>(s, &mut out, plan, planes, (slot, at), lod, steps);
         } else {
-            stamp::<S, false>(s, &mut out, plan, triangle, (slot, at), lod, steps);
+            stamp::<S, false>(s, &mut out, plan, planes, (slot, at), lod, steps);
         }
     }
 }
@@ -154,16 +155,8 @@ struct Samples<'a> {
     weight_t: &'a mut Lanes,
 }
 
-/// The unit's w plane: one everywhere without perspective.
-#[inline(always)]
-fn w_plane(plan: &UnitPlan, triangle: &Triangle) -> Plane64 {
-    if plan.unit.perspective { triangle.tmu[plan.index][2] } else { Plane64::constant(1 << 32) }
-}
-
 /// Levels of detail of a stamp's fragments, one by one.
-fn lods_of_stamp(out: &mut [i32], plan: &UnitPlan, triangle: &Triangle, at: Slot) {
-    let base = base_lod(plan, triangle);
-    let w = w_plane(plan, triangle);
+fn lods_of_stamp(out: &mut [i32], plan: &UnitPlan, w: &Plane64, base: i32, at: Slot) {
     for (i, out) in out[..STAMP].iter_mut().enumerate() {
         let (x, y) = (at.x + (i & 3) as i32, at.y + (i >> 2) as i32);
         *out = lod_at(plan, base, w.at(x, y), x, y);
@@ -189,12 +182,10 @@ fn inexact_stamp<S: Simd>(
     s: S,
     out: &mut Samples<'_>,
     plan: &UnitPlan,
-    triangle: &Triangle,
+    [ps, pt, pw]: [&Plane64; 3],
     (slot, at): (usize, Slot),
     lods: &[i32],
 ) {
-    let [ps, pt, _] = &triangle.tmu[plan.index];
-    let pw = w_plane(plan, triangle);
     let (mut qs, mut qt) = ([0; STAMP], [0; STAMP]);
     for i in 0..STAMP {
         let (x, y) = (at.x + (i & 3) as i32, at.y + (i >> 2) as i32);
@@ -215,13 +206,12 @@ fn stamp<S: Simd, const LODS: bool>(
     s: S,
     out: &mut Samples<'_>,
     plan: &UnitPlan,
-    triangle: &Triangle,
+    [ps, pt, pw]: [&Plane64; 3],
     (slot, at): (usize, Slot),
     lods: &[i32],
     steps: &mut TextureSteps,
 ) {
-    let [ps, pt, _] = &triangle.tmu[plan.index];
-    let corner_w = w_plane(plan, triangle).at(at.x, at.y) as f64;
+    let corner_w = pw.at(at.x, at.y) as f64;
     // w is linear, so its extremes are at corners.
     let (smallest, largest) = (corner_w + steps.fall, corner_w + steps.rise);
     let level = if LODS { None } else { steps.level(smallest, largest) };
