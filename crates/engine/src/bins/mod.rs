@@ -7,7 +7,7 @@
 use core::ops::Range;
 
 use crate::device::arena::{Arena, Command, Run};
-use crate::setup::{Outcome, Registers, Triangle, Triangles, prepare, triangle};
+use crate::setup::{Fate, Launch, Triangle, Triangles, prepare, set_up};
 use crate::state::Rect;
 use crate::stats::Counters;
 
@@ -65,25 +65,28 @@ pub(crate) struct Chunk {
 
 impl Chunk {
     /// Sets up and bins `commands`.
+    #[inline(always)]
     pub fn build(&mut self, arena: &Arena, commands: Range<usize>, grid: &Grid) {
         self.triangles.clear();
         self.pairs.clear();
         self.counters = Counters::default();
+        let mut launch = Launch::default();
         for command in &arena.commands[commands] {
             match *command {
                 Command::Triangle { vertices, cull, state } => {
                     let [a, b, c] = &arena.vertices[vertices as usize];
                     self.counters.triangles_in += 1;
                     let units = arena.states[state as usize].pipeline.unit_count;
-                    if let Outcome::Drawn(registers) = triangle([a, b, c], cull, units) {
+                    if set_up([a, b, c], cull, units, &mut launch) == Fate::Drawn {
                         self.counters.triangles_drawn += 1;
-                        self.launch(arena, &registers, state, grid);
+                        self.launch(arena, &launch, state, grid);
                     }
                 }
                 Command::Launch { registers, state } => {
                     self.counters.triangles_in += 1;
                     self.counters.triangles_drawn += 1;
-                    self.launch(arena, &arena.registers[registers as usize], state, grid);
+                    let launch = Launch::from(&arena.registers[registers as usize]);
+                    self.launch(arena, &launch, state, grid);
                 }
                 Command::Clear(index) => {
                     let rect = arena.clears[index as usize].rect;
@@ -99,11 +102,12 @@ impl Chunk {
         self.sort(grid.len());
     }
 
-    fn launch(&mut self, arena: &Arena, registers: &Registers, state: u32, grid: &Grid) {
+    #[inline(always)]
+    fn launch(&mut self, arena: &Arena, launch: &Launch, state: u32, grid: &Grid) {
         let batch = &arena.states[state as usize];
         let units = batch.pipeline.unit_count;
         let index = self.triangles.list.len() as u32;
-        let Some(triangle) = prepare(registers, &batch.screen, state, units, &mut self.triangles)
+        let Some(triangle) = prepare(launch, &batch.screen, state, units, &mut self.triangles)
         else {
             return;
         };

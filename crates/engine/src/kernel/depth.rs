@@ -102,11 +102,11 @@ impl<S: Simd> DepthLanes<S> for IteratedW {
         let triangle = pass.triangle(at);
         let plane = pass.triangles.w(triangle);
         if !triangle.exact {
-            return exact_w_of_stamp(plane, at.x, at.y, &mut self.values);
+            return exact_w_of_stamp(&plane, at.x, at.y, &mut self.values);
         }
         if at.triangle != self.triangle {
             self.triangle = at.triangle;
-            ramp_wide(s, plane, &mut self.ramp);
+            ramp_wide(s, &plane, &mut self.ramp);
         }
         let base = s.splat_f(plane.at(at.x, at.y) as f64);
         for j in (0..STAMP).step_by(S::LANES) {

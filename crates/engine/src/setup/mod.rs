@@ -1,11 +1,14 @@
 //! Triangle set-up: from vertices to the registers of a rasterizer chip.
 
+mod launch;
 mod planes;
 mod registers;
 mod sst1;
 mod vertex;
 
-pub(crate) use planes::{NARROW, Plane64, Screen, Triangle, Triangles, Z, prepare};
+pub(crate) use launch::{Launch, NARROW, Z};
+pub(crate) use planes::{Plane64, Screen, Triangle, Triangles, prepare};
 pub use registers::{Param, Registers, WideParam};
 pub use sst1::{Cull, Outcome, triangle};
+pub(crate) use sst1::{Fate, set_up};
 pub use vertex::{TmuVertex, Vertex};

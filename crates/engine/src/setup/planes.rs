@@ -1,7 +1,7 @@
 //! From registers to what the tiles iterate: edges and attribute planes in
 //! screen coordinates.
 
-use super::{Param, Registers, WideParam};
+use super::launch::{GROUP, Launch, NARROW, Params, wide_lane};
 use crate::fixed::COORD_FRACTION;
 use crate::kernel::texture::lod_base;
 use crate::state::{MAX_TMUS, Origin, Rect};
@@ -41,12 +41,6 @@ impl Edge {
     }
 }
 
-/// How many 32-bit attributes are iterated together: the five that exist,
-/// padded to a vector.
-pub(crate) const NARROW: usize = 8;
-/// Lane of z; red, green, blue and alpha are lanes 0 to 3.
-pub(crate) const Z: usize = 4;
-
 /// The 32-bit attributes: red, green, blue, alpha (12.12 in the top 24 bits)
 /// and z (20.12). The value at screen pixel (x, y) is `c + x * dx + y * dy`,
 /// wrapping.
@@ -77,10 +71,6 @@ impl Narrow {
             .wrapping_add(self.dx[lane].wrapping_mul(x))
             .wrapping_add(self.dy[lane].wrapping_mul(y))
     }
-
-    fn set(&mut self, lane: usize, [c, dx, dy]: [i32; 3]) {
-        (self.c[lane], self.dx[lane], self.dy[lane]) = (c, dx, dy);
-    }
 }
 
 /// A 64-bit attribute with 32 fraction bits.
@@ -97,15 +87,20 @@ impl Plane64 {
             .wrapping_add(self.dx.wrapping_mul(i64::from(x)))
             .wrapping_add(self.dy.wrapping_mul(i64::from(y)))
     }
+}
 
-    /// Whether all values over `area` are below `limit` in magnitude, wrapping
-    /// excluded.
-    fn is_below(&self, start: f64, [x, y]: [f64; 2], area: &Rect, limit: f64) -> bool {
-        let half = |a: u32, b: u32| (f64::from(b) - f64::from(a)) * 0.5;
-        let (hx, hy) = (half(area.x0, area.x1), half(area.y0, area.y1));
-        let (mx, my) = (f64::from(area.x0) + hx - x, f64::from(area.y0) + hy - y);
-        let (dx, dy) = (self.dx as f64, self.dy as f64);
-        (start + mx * dx + my * dy).abs() + dx.abs() * hx + dy.abs() * hy < limit
+/// 64-bit attributes of a group: see [`Launch`].
+#[derive(Clone, Copy, Debug)]
+struct WideGroup {
+    c: [i64; GROUP],
+    dx: [i64; GROUP],
+    dy: [i64; GROUP],
+}
+
+impl WideGroup {
+    #[inline(always)]
+    fn plane(&self, lane: usize) -> Plane64 {
+        Plane64 { c: self.c[lane], dx: self.dx[lane], dy: self.dy[lane] }
     }
 }
 
@@ -121,7 +116,7 @@ pub(crate) struct Triangle {
     /// Whether w, and s, t, w of the units in use, are small enough over
     /// `bounds` to be iterated in floats exactly.
     pub exact: bool,
-    /// First of its 64-bit planes in [`Triangles`].
+    /// First of its groups of 64-bit planes in [`Triangles`].
     wide: u32,
     /// Level of detail of each unit at w = 1, without bias.
     pub lod_base: [i32; MAX_TMUS],
@@ -130,12 +125,12 @@ pub(crate) struct Triangle {
     pub narrow: Narrow,
 }
 
-/// Triangles ready for the tiles, with their 64-bit planes: w of the pixel
-/// pipeline, then s, t and w of each unit in use.
+/// Triangles ready for the tiles, with their 64-bit planes, a group for each
+/// unit in use and at least one.
 #[derive(Debug, Default)]
 pub(crate) struct Triangles {
     pub list: Vec<Triangle>,
-    wides: Vec<Plane64>,
+    wides: Vec<WideGroup>,
 }
 
 impl Triangles {
@@ -146,16 +141,16 @@ impl Triangles {
 
     /// w of the pixel pipeline.
     #[inline(always)]
-    pub fn w(&self, triangle: &Triangle) -> &Plane64 {
-        &self.wides[triangle.wide as usize]
+    pub fn w(&self, triangle: &Triangle) -> Plane64 {
+        self.wides[triangle.wide as usize].plane(0)
     }
 
     /// s, t and w of a unit in use.
     #[inline(always)]
-    pub fn unit<'a>(&'a self, triangle: &Triangle, unit: usize) -> [&'a Plane64; 3] {
-        let first = triangle.wide as usize + 1 + 3 * unit;
-        let [s, t, w] = &self.wides[first..first + 3] else { unreachable!("three planes") };
-        [s, t, w]
+    pub fn unit(&self, triangle: &Triangle, unit: usize) -> [Plane64; 3] {
+        let group = &self.wides[triangle.wide as usize + unit];
+        let first = wide_lane(unit, 0).1;
+        [group.plane(first), group.plane(first + 1), group.plane(first + 2)]
     }
 
     /// Tells the processor that a triangle is needed soon.
@@ -179,33 +174,37 @@ pub(crate) struct Screen {
 /// multiplied by 256 and must stay below 2^53, w keeps to the 48 bits it has.
 const COORDINATE_LIMIT: f64 = (1u64 << 44) as f64;
 const W_LIMIT: f64 = (1u64 << 46) as f64;
+/// The limits of a group's lanes. The lane without meaning has none.
+const FIRST_LIMITS: [f64; GROUP] = [W_LIMIT, COORDINATE_LIMIT, COORDINATE_LIMIT, W_LIMIT];
+const OTHER_LIMITS: [f64; GROUP] = [COORDINATE_LIMIT, COORDINATE_LIMIT, W_LIMIT, f64::INFINITY];
 
 /// Converts a launched triangle and appends it to `out`; `None` where it covers
 /// no pixel of the screen. `units` is how many texture units iterate.
+#[inline(always)]
 pub(crate) fn prepare<'a>(
-    registers: &Registers,
+    launch: &Launch,
     screen: &Screen,
     state: u32,
     units: usize,
     out: &'a mut Triangles,
 ) -> Option<&'a Triangle> {
-    let bounds = bounds(registers, screen)?;
-    let planes = Corrected::new(registers, screen);
-    let area = stamp_aligned(&bounds);
+    let bounds = bounds(launch, screen)?;
+    let planes = Corrected::new(launch, screen, &bounds);
     let wide = out.wides.len() as u32;
     let mut exact = true;
-    let mut add = |param: &WideParam, limit: f64| {
-        let (plane, below) = planes.plane64(param, &area, limit);
+    let mut lods = [0; MAX_TMUS];
+    for (unit, params) in launch.wide.iter().enumerate().take(units.max(1)) {
+        let mut limits = if unit == 0 { FIRST_LIMITS } else { OTHER_LIMITS };
+        if units == 0 {
+            limits[1..].fill(f64::INFINITY);
+        }
+        let (group, below) = planes.wide(params, &limits);
         exact &= below;
-        out.wides.push(plane);
-        plane
-    };
-    add(&registers.w, W_LIMIT);
-    let mut lod_base_of_unit = [0; MAX_TMUS];
-    for (lod, [s, t, w]) in lod_base_of_unit.iter_mut().zip(&registers.tmu).take(units) {
-        let (s, t) = (add(s, COORDINATE_LIMIT), add(t, COORDINATE_LIMIT));
-        add(w, W_LIMIT);
-        *lod = lod_base(&s, &t);
+        if unit < units {
+            let first = wide_lane(unit, 0).1;
+            lods[unit] = lod_base(&group.plane(first), &group.plane(first + 1));
+        }
+        out.wides.push(group);
     }
     let mut triangle = Triangle {
         bounds,
@@ -213,19 +212,20 @@ pub(crate) fn prepare<'a>(
         edge_count: 0,
         exact,
         wide,
-        lod_base: lod_base_of_unit,
+        lod_base: lods,
         edges: [Edge::default(); 3],
-        narrow: planes.narrow(registers),
+        narrow: planes.narrow(&launch.narrow),
     };
-    add_edges(&mut triangle, registers, screen);
+    add_edges(&mut triangle, launch, screen);
     out.list.push(triangle);
     out.list.last()
 }
 
-fn add_edges(triangle: &mut Triangle, registers: &Registers, screen: &Screen) {
-    let [a, b, c] = core::array::from_fn(|i| [registers.x[i], registers.y[i]]);
+#[inline(always)]
+fn add_edges(triangle: &mut Triangle, launch: &Launch, screen: &Screen) {
+    let [a, b, c] = core::array::from_fn(|i| [launch.x[i], launch.y[i]]);
     // B left of A-C: A-C is the right edge, A-B and B-C are left ones.
-    let minor_is_left = registers.negative;
+    let minor_is_left = launch.negative;
     for (from, to, left) in [(a, c, !minor_is_left), (a, b, minor_is_left), (b, c, minor_is_left)] {
         if from[1] < to[1] {
             let edge = Edge::new(from, to, left);
@@ -238,11 +238,11 @@ fn add_edges(triangle: &mut Triangle, registers: &Registers, screen: &Screen) {
 }
 
 /// The part of the screen that can be covered, or `None`.
-fn bounds(registers: &Registers, screen: &Screen) -> Option<Rect> {
-    let [ay, _, cy] = registers.y;
+fn bounds(launch: &Launch, screen: &Screen) -> Option<Rect> {
+    let [ay, _, cy] = launch.y;
     let rows = [(ay + 7) >> COORD_FRACTION, (cy + 7) >> COORD_FRACTION];
-    let left = registers.x.into_iter().min().unwrap_or(0);
-    let right = registers.x.into_iter().max().unwrap_or(0);
+    let left = launch.x.into_iter().min().unwrap_or(0);
+    let right = launch.x.into_iter().max().unwrap_or(0);
     let columns = [(left + 7) >> COORD_FRACTION, (right + 7) >> COORD_FRACTION];
     let limit =
         |[from, to]: [i32; 2], size: u32| [from.clamp(0, size as i32), to.clamp(0, size as i32)];
@@ -255,14 +255,8 @@ fn bounds(registers: &Registers, screen: &Screen) -> Option<Rect> {
     (x0 < x1 && y0 < y1).then(|| Rect::new(x0 as u32, y0 as u32, x1 as u32, y1 as u32))
 }
 
-/// The smallest rectangle of whole stamps around `area`.
-fn stamp_aligned(area: &Rect) -> Rect {
-    let down = |v: u32| v & !(STAMP - 1);
-    let up = |v: u32| down(v + STAMP - 1);
-    Rect::new(down(area.x0), down(area.y0), up(area.x1), up(area.y1))
-}
-
-/// The sub-pixel correction and the reference pixel of a launch.
+/// The sub-pixel correction, the reference pixel of a launch, and the area
+/// where values are needed.
 struct Corrected {
     /// Sixteenths from the first vertex to its pixel's centre.
     dx: i32,
@@ -270,66 +264,94 @@ struct Corrected {
     /// The first vertex's pixel, on the screen.
     x: i32,
     y: i32,
-    flipped: bool,
+    /// -1 where rows are counted from the other end, else 1.
+    row_sign: i32,
+    /// From that pixel to the middle of the area, and half its sides with a
+    /// pixel to spare.
+    middle: [f64; 2],
+    half: [f64; 2],
 }
 
 impl Corrected {
-    fn new(registers: &Registers, screen: &Screen) -> Corrected {
-        let (x, y) = (registers.x[0], registers.y[0]);
-        let row = y >> COORD_FRACTION;
+    #[inline(always)]
+    fn new(launch: &Launch, screen: &Screen, bounds: &Rect) -> Corrected {
+        let (vx, vy) = (launch.x[0], launch.y[0]);
+        let row = vy >> COORD_FRACTION;
         let flipped = screen.origin == Origin::LowerLeft;
+        let x = vx >> COORD_FRACTION;
+        let y = if flipped { screen.height as i32 - 1 - row } else { row };
+        // Whole stamps are iterated.
+        let down = |v: u32| v & !(STAMP - 1);
+        let [x0, y0] = [f64::from(down(bounds.x0)), f64::from(down(bounds.y0))];
+        let [x1, y1] = [bounds.x1, bounds.y1].map(|v| f64::from(down(v + STAMP - 1)));
+        let half = [(x1 - x0) * 0.5, (y1 - y0) * 0.5];
+        let middle = [x0 + half[0] - f64::from(x), y0 + half[1] - f64::from(y)];
         Corrected {
-            dx: 8 - (x & 15),
-            dy: 8 - (y & 15),
-            x: x >> COORD_FRACTION,
-            y: if flipped { screen.height as i32 - 1 - row } else { row },
-            flipped,
+            dx: 8 - (vx & 15),
+            dy: 8 - (vy & 15),
+            x,
+            y,
+            row_sign: if flipped { -1 } else { 1 },
+            middle,
+            half: half.map(|half| half + 1.0),
         }
     }
 
-    fn narrow(&self, registers: &Registers) -> Narrow {
-        let mut narrow = Narrow::default();
-        for (lane, param) in registers.color.iter().enumerate() {
-            narrow.set(lane, self.plane32(param).map(|value| value << 8));
+    #[inline(always)]
+    fn narrow(&self, params: &Params<[i32; NARROW]>) -> Narrow {
+        // Colours go to the top 24 bits.
+        const SHIFTS: [u32; NARROW] = [8, 8, 8, 8, 0, 0, 0, 0];
+        let mut out = Narrow::default();
+        for lane in 0..NARROW {
+            let (dx, dy) = (params.dx[lane], params.dy[lane]);
+            let moved =
+                dx.wrapping_mul(self.dx).wrapping_add(dy.wrapping_mul(self.dy)) >> COORD_FRACTION;
+            let dy = dy.wrapping_mul(self.row_sign);
+            let c = params.start[lane]
+                .wrapping_add(moved)
+                .wrapping_sub(dx.wrapping_mul(self.x))
+                .wrapping_sub(dy.wrapping_mul(self.y));
+            out.c[lane] = c << SHIFTS[lane];
+            out.dx[lane] = dx << SHIFTS[lane];
+            out.dy[lane] = dy << SHIFTS[lane];
         }
-        narrow.set(Z, self.plane32(&registers.z));
-        narrow
+        out
     }
 
-    /// Constant and steps of a 32-bit attribute.
-    fn plane32(&self, param: &Param) -> [i32; 3] {
-        let moved = param.dx.wrapping_mul(self.dx).wrapping_add(param.dy.wrapping_mul(self.dy))
-            >> COORD_FRACTION;
-        let dy = if self.flipped { param.dy.wrapping_neg() } else { param.dy };
-        let c = param
-            .start
-            .wrapping_add(moved)
-            .wrapping_sub(param.dx.wrapping_mul(self.x))
-            .wrapping_sub(dy.wrapping_mul(self.y));
-        [c, param.dx, dy]
+    /// The planes, and whether each stays below its limit over the area.
+    #[inline(always)]
+    fn wide(&self, params: &Params<[i64; GROUP]>, limits: &[f64; GROUP]) -> (WideGroup, bool) {
+        let mut out = WideGroup { c: [0; GROUP], dx: [0; GROUP], dy: [0; GROUP] };
+        let mut below = true;
+        for lane in 0..GROUP {
+            let (start, dx, dy) = (params.start[lane], params.dx[lane], params.dy[lane]);
+            let moved = times(dx, self.dx).wrapping_add(times(dy, self.dy)) >> COORD_FRACTION;
+            let dy = times(dy, self.row_sign);
+            out.c[lane] = start
+                .wrapping_add(moved)
+                .wrapping_sub(times(dx, self.x))
+                .wrapping_sub(times(dy, self.y));
+            out.dx[lane] = dx;
+            out.dy[lane] = dy;
+            // The pixel to spare makes up for the sub-pixel correction.
+            let (dx, dy) = (dx as f64, dy as f64);
+            let middle = start as f64 + self.middle[0] * dx + self.middle[1] * dy;
+            let reach = dx.abs() * self.half[0] + dy.abs() * self.half[1];
+            below &= middle.abs() + reach < limits[lane];
+        }
+        (out, below)
     }
+}
 
-    /// The plane, and whether it stays below `limit` over `area`.
-    fn plane64(&self, param: &WideParam, area: &Rect, limit: f64) -> (Plane64, bool) {
-        let moved = param
-            .dx
-            .wrapping_mul(i64::from(self.dx))
-            .wrapping_add(param.dy.wrapping_mul(i64::from(self.dy)))
-            >> COORD_FRACTION;
-        let dy = if self.flipped { param.dy.wrapping_neg() } else { param.dy };
-        let start = param.start.wrapping_add(moved);
-        let c = start
-            .wrapping_sub(param.dx.wrapping_mul(i64::from(self.x)))
-            .wrapping_sub(dy.wrapping_mul(i64::from(self.y)));
-        let plane = Plane64 { c, dx: param.dx, dy };
-        let at = [f64::from(self.x), f64::from(self.y)];
-        (plane, plane.is_below(start as f64, at, area, limit))
-    }
+#[inline(always)]
+fn times(value: i64, factor: i32) -> i64 {
+    value.wrapping_mul(i64::from(factor))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::setup::{Param, Registers};
 
     const SCREEN: Screen = Screen { width: 64, height: 64, origin: Origin::UpperLeft };
 
@@ -346,7 +368,7 @@ mod tests {
 
     fn prepared(screen: &Screen) -> Triangle {
         let mut triangles = Triangles::default();
-        prepare(&right_triangle(), screen, 0, 0, &mut triangles).unwrap().clone()
+        prepare(&Launch::from(&right_triangle()), screen, 0, 0, &mut triangles).unwrap().clone()
     }
 
     fn covered(triangle: &Triangle) -> u32 {

@@ -65,10 +65,10 @@ impl TextureSteps {
     };
 
     #[inline(always)]
-    fn set<S: Simd>(&mut self, s: S, plan: &UnitPlan, [ps, pt, w]: [&Plane64; 3], base: i32) {
-        ramp_wide(s, ps, &mut self.s);
-        ramp_wide(s, pt, &mut self.t);
-        ramp_wide(s, w, &mut self.w);
+    fn set<S: Simd>(&mut self, s: S, plan: &UnitPlan, [ps, pt, w]: [Plane64; 3], base: i32) {
+        ramp_wide(s, &ps, &mut self.s);
+        ramp_wide(s, &pt, &mut self.t);
+        ramp_wide(s, &w, &mut self.w);
         let (right, down) = (w.dx as f64 * 3.0, w.dy as f64 * 3.0);
         self.rise = right.max(0.0) + down.max(0.0);
         self.fall = right.min(0.0) + down.min(0.0);
@@ -111,7 +111,7 @@ impl TextureSteps {
 }
 
 /// w where there is no perspective: one everywhere.
-static NO_PERSPECTIVE: Plane64 = Plane64 { c: 1 << 32, dx: 0, dy: 0 };
+const NO_PERSPECTIVE: Plane64 = Plane64 { c: 1 << 32, dx: 0, dy: 0 };
 
 /// Coordinates of every fragment of the block for `plan`'s unit: texel
 /// addresses of both rows, and the weights.
@@ -124,12 +124,12 @@ pub(crate) fn address<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, plan: &
         let triangle = pass.triangle(&at);
         let mut planes = pass.triangles.unit(triangle, plan.index);
         if !plan.unit.perspective {
-            planes[2] = &NO_PERSPECTIVE;
+            planes[2] = NO_PERSPECTIVE;
         }
         let base = triangle.lod_base[plan.index] + i32::from(plan.unit.lod.bias);
         let lod = &mut lod.0[slot * STAMP..][..STAMP];
         if plan.needs_lod || !triangle.exact {
-            lods_of_stamp(lod, plan, planes[2], base, at);
+            lods_of_stamp(lod, plan, &planes[2], base, at);
         }
         if !triangle.exact {
             inexact_stamp(s, &mut out, plan, planes, (slot, at), lod);
@@ -182,7 +182,7 @@ fn inexact_stamp<S: Simd>(
     s: S,
     out: &mut Samples<'_>,
     plan: &UnitPlan,
-    [ps, pt, pw]: [&Plane64; 3],
+    [ps, pt, pw]: [Plane64; 3],
     (slot, at): (usize, Slot),
     lods: &[i32],
 ) {
@@ -206,7 +206,7 @@ fn stamp<S: Simd, const LODS: bool>(
     s: S,
     out: &mut Samples<'_>,
     plan: &UnitPlan,
-    [ps, pt, pw]: [&Plane64; 3],
+    [ps, pt, pw]: [Plane64; 3],
     (slot, at): (usize, Slot),
     lods: &[i32],
     steps: &mut TextureSteps,
