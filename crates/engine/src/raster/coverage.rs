@@ -57,39 +57,53 @@ pub(crate) struct GroupCoverage {
 }
 
 impl TileCoverage {
-    /// `None` where the triangle covers nothing of the tile.
+    pub const NONE: TileCoverage = TileCoverage {
+        edges: [TileEdge { start: 0, a: 0, b: 0, least: 0, greatest: 0 }; 3],
+        offsets: [[0; STAMP]; 3],
+        count: 0,
+        x: 0,
+        y: 0,
+        area: Rect::new(0, 0, 0, 0),
+    };
+
+    /// Becomes a triangle's coverage of a tile; false where it covers nothing
+    /// of it.
     #[inline(always)]
-    pub fn new<S: Simd>(s: S, triangle: &Triangle, tile: &Rect) -> Option<TileCoverage> {
-        let area = triangle.bounds.intersect(tile);
-        if area.is_empty() {
-            return None;
+    pub fn enter<S: Simd>(&mut self, s: S, triangle: &Triangle, tile: &Rect) -> bool {
+        self.area = triangle.bounds.intersect(tile);
+        if self.area.is_empty() {
+            return false;
         }
-        let none = TileEdge { start: 0, a: 0, b: 0, least: 0, greatest: 0 };
         let (x, y) = (tile.x0 as i32, tile.y0 as i32);
-        let offsets = [[0; STAMP]; 3];
-        let mut out = TileCoverage { edges: [none; 3], offsets, count: 0, x, y, area };
+        (self.x, self.y, self.count) = (x, y, 0);
         let last = i64::from(tile.x1 - tile.x0 - 1);
         for edge in &triangle.edges[..triangle.edge_count as usize] {
             let start = edge.at(x, y);
             let (a, b) = (i64::from(edge.a), i64::from(edge.b));
             if start + (a.max(0) + b.max(0)) * last < 0 {
-                return None;
+                return false;
             }
             if start + (a.min(0) + b.min(0)) * last >= 0 {
                 continue;
             }
             let (a, b) = (edge.a, edge.b);
-            ramp(s, a, b, &mut out.offsets[out.count]);
+            ramp(s, a, b, &mut self.offsets[self.count]);
             let (least, greatest) = (3 * (a.min(0) + b.min(0)), 3 * (a.max(0) + b.max(0)));
-            out.edges[out.count] = TileEdge { start: start as i32, a, b, least, greatest };
-            out.count += 1;
+            self.edges[self.count] = TileEdge { start: start as i32, a, b, least, greatest };
+            self.count += 1;
         }
-        Some(out)
+        true
     }
 
     /// Whether every pixel of `area` is covered.
     pub fn is_full(&self) -> bool {
         self.count == 0
+    }
+
+    /// Whether the area is so small that its stamps are not worth classifying.
+    pub fn is_small(&self) -> bool {
+        let stamps = |from: u32, to: u32| (to + 3) / 4 - from / 4;
+        stamps(self.area.x0, self.area.x1) * stamps(self.area.y0, self.area.y1) <= 6
     }
 
     /// Screen columns where the groups of a row of stamps begin.

@@ -24,6 +24,7 @@ pub(crate) struct TilePainter<'a, S: Simd> {
     format: PixelFormat,
     pub counters: Counters,
     block: Box<Block>,
+    coverage: TileCoverage,
     list: StageList<S>,
     /// The state that `list` belongs to.
     current: Option<Current<'a>>,
@@ -80,6 +81,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             format,
             counters: Counters::default(),
             block: Box::new(Block::new()),
+            coverage: TileCoverage::NONE,
             list: StageList::new(),
             current: None,
             foreign: 0,
@@ -174,7 +176,9 @@ impl<'a, S: Simd> TilePainter<'a, S> {
     fn triangle(&mut self, chunk: &Chunk, index: u32, target: &mut Target<'_>) {
         let triangle = &chunk.triangles.list[index as usize];
         let s = self.s;
-        let Some(coverage) = TileCoverage::new(s, triangle, &target.rect) else { return };
+        if !self.coverage.enter(s, triangle, &target.rect) {
+            return;
+        }
         let current = match self.current {
             Some(current) if current.state == triangle.state && !current.pixels => current,
             _ => {
@@ -185,36 +189,60 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             }
         };
         let triangles = &chunk.triangles;
-        if self.is_hidden(&current, triangles, triangle, &coverage, target) {
+        if self.is_hidden(&current, triangles, triangle, target) {
             return;
         }
         target.materialize();
-        let clipped = !current.clip.contains(&coverage.area);
+        let clip = (!current.clip.contains(&self.coverage.area)).then_some(current.clip);
         self.foreign = self.block.count;
-        for y in coverage.rows() {
-            for first in coverage.groups() {
-                let group = coverage.group(s, first, y);
+        if self.coverage.is_small() {
+            let Rect { x0, x1, .. } = self.coverage.area;
+            for y in self.coverage.rows() {
+                for x in (x0 & !3..x1).step_by(4) {
+                    let mask = self.coverage.stamp(s, x, y);
+                    self.stamp(chunk, index, (x, y), mask, clip, target);
+                }
+            }
+            return;
+        }
+        for y in self.coverage.rows() {
+            for first in self.coverage.groups() {
+                let group = self.coverage.group(s, first, y);
                 let mut stamps = group.full | group.partial;
                 while stamps != 0 {
                     let bit = stamps & stamps.wrapping_neg();
                     stamps ^= bit;
                     let x = first + 4 * bit.trailing_zeros();
-                    let mut mask =
-                        if group.full & bit != 0 { FULL } else { coverage.stamp(s, x, y) };
-                    self.counters.pixels_in += u64::from(mask.count_ones());
-                    if clipped {
-                        mask &= rect_mask(current.clip, x, y);
-                    }
-                    if mask == 0 {
-                        continue;
-                    }
-                    let (dx, dy) = (x - target.rect.x0, y - target.rect.y0);
-                    let at = stamp_index(dx, dy, self.grid.bits) as u32;
-                    let slot = Slot { triangle: index, at, x: x as i32, y: y as i32 };
-                    self.push(slot, mask, &chunk.triangles, target);
+                    let full = group.full & bit != 0;
+                    let mask = if full { FULL } else { self.coverage.stamp(s, x, y) };
+                    self.stamp(chunk, index, (x, y), mask, clip, target);
                 }
             }
         }
+    }
+
+    /// Counts and adds the covered fragments of the stamp at a screen position.
+    #[inline(always)]
+    fn stamp(
+        &mut self,
+        chunk: &Chunk,
+        triangle: u32,
+        (x, y): (u32, u32),
+        mut mask: u32,
+        clip: Option<&Rect>,
+        target: &mut Target<'_>,
+    ) {
+        self.counters.pixels_in += u64::from(mask.count_ones());
+        if let Some(clip) = clip {
+            mask &= rect_mask(clip, x, y);
+        }
+        if mask == 0 {
+            return;
+        }
+        let (dx, dy) = (x - target.rect.x0, y - target.rect.y0);
+        let at = stamp_index(dx, dy, self.grid.bits) as u32;
+        let slot = Slot { triangle, at, x: x as i32, y: y as i32 };
+        self.push(slot, mask, &chunk.triangles, target);
     }
 
     /// Whether depth bounds hide the triangle in this tile; then its fragments
@@ -225,9 +253,9 @@ impl<'a, S: Simd> TilePainter<'a, S> {
         current: &Current<'_>,
         triangles: &Triangles,
         triangle: &Triangle,
-        coverage: &TileCoverage,
         target: &mut Target<'_>,
     ) -> bool {
+        let coverage = &self.coverage;
         let (pipeline, clip) = (current.pipeline, current.clip);
         let Some(aux) = &mut target.aux else { return false };
         if !pipeline.needs.depth && !pipeline.writes_aux() {
@@ -238,7 +266,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             && pipeline.state.stipple.is_none()
             && is_hidden(pipeline, range, aux)
         {
-            self.count_hidden(coverage, clip);
+            self.count_hidden(clip);
             return true;
         }
         let visible = target.rect.intersect(&self.grid.bounds);
@@ -253,7 +281,8 @@ impl<'a, S: Simd> TilePainter<'a, S> {
 
     /// Counts the fragments of a hidden triangle.
     #[inline(always)]
-    fn count_hidden(&mut self, coverage: &TileCoverage, clip: &Rect) {
+    fn count_hidden(&mut self, clip: &Rect) {
+        let coverage = &self.coverage;
         let area = coverage.area;
         if coverage.is_full() {
             self.counters.pixels_in += area.area();
