@@ -1,7 +1,6 @@
 //! The register file of the fragment pipeline: 64 fragments in L1.
 
-use super::depth::{IteratedW, IteratedZ};
-use super::iterate::IteratedColors;
+use super::depth::IteratedW;
 use super::texture::TextureSteps;
 use crate::state::MAX_TMUS;
 
@@ -93,19 +92,13 @@ pub(crate) struct Block {
 /// What the stamps of one triangle share, kept from block to block.
 #[derive(Clone, Debug)]
 pub(crate) struct Steps {
-    pub colors: IteratedColors,
-    pub z: IteratedZ,
     pub w: IteratedW,
     pub units: [TextureSteps; MAX_TMUS],
 }
 
 impl Steps {
-    const NONE: Steps = Steps {
-        colors: IteratedColors::NONE,
-        z: IteratedZ::NONE,
-        w: IteratedW::NONE,
-        units: [const { TextureSteps::NONE }; MAX_TMUS],
-    };
+    const NONE: Steps =
+        Steps { w: IteratedW::NONE, units: [const { TextureSteps::NONE }; MAX_TMUS] };
 }
 
 impl Block {
@@ -135,8 +128,6 @@ impl Block {
 
     /// Forgets the last triangle: indices or the state mean something else now.
     pub fn forget_steps(&mut self) {
-        self.steps.colors.triangle = u32::MAX;
-        self.steps.z.triangle = u32::MAX;
         self.steps.w.triangle = u32::MAX;
         for unit in &mut self.steps.units {
             unit.triangle = u32::MAX;

@@ -6,7 +6,7 @@
 use fillrate_simd::{FloatLanes, IntLanes, MaskLanes, Simd};
 
 use super::block::{Block, Lanes, STAMP, Slot};
-use super::lanes::{ramp, ramp_wide, wrap};
+use super::lanes::{iterate, places, ramp_wide, wrap};
 use super::{Pass, Pipeline, Tile};
 use crate::setup::{Plane64, Z};
 use crate::state::{Compare, DepthSource};
@@ -49,37 +49,21 @@ fn float_w_lanes<S: Simd>(s: S, w: S::F) -> S::I {
 pub(super) trait DepthLanes<S: Simd> {
     /// Goes to a stamp, which is the block's slot `slot`.
     fn enter(&mut self, s: S, pass: &Pass<'_>, at: &Slot, slot: usize);
-    /// The values of the stamp's fragments `j..`.
-    fn lanes(&self, s: S, j: usize) -> S::I;
+    /// The values of fragments `j..` of that stamp.
+    fn lanes(&self, s: S, pass: &Pass<'_>, at: &Slot, j: usize) -> S::I;
 }
 
 /// Iterated z.
-#[derive(Clone, Debug)]
-pub(crate) struct IteratedZ {
-    pub(super) triangle: u32,
-    ramp: [i32; STAMP],
-    base: i32,
-}
-
-impl IteratedZ {
-    pub const NONE: IteratedZ = IteratedZ { triangle: u32::MAX, ramp: [0; STAMP], base: 0 };
-}
+pub(super) struct IteratedZ;
 
 impl<S: Simd> DepthLanes<S> for IteratedZ {
     #[inline(always)]
-    fn enter(&mut self, s: S, pass: &Pass<'_>, at: &Slot, _slot: usize) {
-        let narrow = &pass.triangle(at).narrow;
-        if at.triangle != self.triangle {
-            self.triangle = at.triangle;
-            ramp(s, narrow.dx[Z], narrow.dy[Z], &mut self.ramp);
-        }
-        self.base = narrow.value(Z, at.x, at.y);
-    }
+    fn enter(&mut self, _s: S, _pass: &Pass<'_>, _at: &Slot, _slot: usize) {}
 
     #[inline(always)]
-    fn lanes(&self, s: S, j: usize) -> S::I {
-        let value = s.splat(self.base) + s.load(&self.ramp[j..]);
-        wrap::<S, 20, 16>(s, value.shr(12))
+    fn lanes(&self, s: S, pass: &Pass<'_>, at: &Slot, j: usize) -> S::I {
+        let z = iterate(s, &pass.triangle(at).narrow, Z, places(s, at.x, at.y, j));
+        wrap::<S, 20, 16>(s, z.shr(12))
     }
 }
 
@@ -116,7 +100,7 @@ impl<S: Simd> DepthLanes<S> for IteratedW {
     }
 
     #[inline(always)]
-    fn lanes(&self, s: S, j: usize) -> S::I {
+    fn lanes(&self, s: S, _pass: &Pass<'_>, _at: &Slot, j: usize) -> S::I {
         s.load(&self.values[j..])
     }
 }
@@ -141,7 +125,7 @@ impl<S: Simd> DepthLanes<S> for Kept<'_> {
     }
 
     #[inline(always)]
-    fn lanes(&self, s: S, j: usize) -> S::I {
+    fn lanes(&self, s: S, _pass: &Pass<'_>, _at: &Slot, j: usize) -> S::I {
         s.load(&self.values.0[self.first + j..])
     }
 }
@@ -158,7 +142,7 @@ fn keep<S: Simd, D: DepthLanes<S>>(
     for (slot, at) in slots.iter().enumerate() {
         source.enter(s, pass, at, slot);
         for j in (0..STAMP).step_by(S::LANES) {
-            s.store(source.lanes(s, j), &mut out.0[slot * STAMP + j..]);
+            s.store(source.lanes(s, pass, at, j), &mut out.0[slot * STAMP + j..]);
         }
     }
 }
@@ -169,7 +153,7 @@ pub(crate) fn depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mu
     let needs = &pass.pipeline.needs;
     let Block { slots, count, steps, z, w, .. } = block;
     if needs.keeps_z {
-        keep(s, &mut steps.z, &slots[..*count], pass, z);
+        keep(s, &mut IteratedZ, &slots[..*count], pass, z);
     }
     if needs.keeps_w {
         keep(s, &mut steps.w, &slots[..*count], pass, w);
@@ -181,7 +165,7 @@ pub(crate) fn depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mu
             let Block { live, count, slots, depth, steps, .. } = block;
             let fragments = Fragments { live, slots: &slots[..*count], depth };
             match source {
-                DepthSource::Z => test_depth(s, fragments, &mut steps.z, pass, tile),
+                DepthSource::Z => test_depth(s, fragments, &mut IteratedZ, pass, tile),
                 DepthSource::FloatW => test_depth(s, fragments, &mut steps.w, pass, tile),
             }
         }
@@ -294,7 +278,7 @@ fn test_depth<S: Simd, D: DepthLanes<S>>(
         source.enter(s, pass, at, slot);
         for j in (0..STAMP).step_by(S::LANES) {
             let k = slot * STAMP + j;
-            let value = test.biased(s, source.lanes(s, j));
+            let value = test.biased(s, source.lanes(s, pass, at, j));
             if needs.late_depth_write {
                 s.store(value, &mut fragments.depth.0[k..]);
             }

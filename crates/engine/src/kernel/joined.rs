@@ -7,8 +7,9 @@
 use fillrate_simd::{IntLanes, MaskLanes, Simd};
 
 use super::block::{Block, STAMP};
-use super::depth::{DepthLanes, DepthTest};
-use super::lanes::join as join_halves;
+use super::depth::{DepthLanes, DepthTest, IteratedZ};
+use super::iterate::iterated_colors;
+use super::lanes::{join as join_halves, places};
 use super::output::{blended, pack};
 use super::pipeline::{Pipeline, Stage};
 use super::texture::texels;
@@ -184,10 +185,9 @@ fn fragments<
         let at = block.slots[slot];
         let first = slot * STAMP;
         if DEPTH {
-            block.steps.z.enter(s, pass, &at, slot);
             let mut passed = 0;
             for j in (0..STAMP).step_by(S::LANES) {
-                let value = test.biased(s, block.steps.z.lanes(s, j));
+                let value = test.biased(s, IteratedZ.lanes(s, pass, &at, j));
                 let live = s.mask((before >> (first + j)) as u32);
                 passed |= test.run(s, value, live, tile.aux, at.at as usize + j).bits() << j;
             }
@@ -197,12 +197,9 @@ fn fragments<
         if live == 0 {
             continue;
         }
-        if ITERATED {
-            block.steps.colors.enter(s, pass, &at);
-        }
         for j in (0..STAMP).step_by(S::LANES) {
             let place = at.at as usize + j;
-            let mut color = colors::<S, TEXEL, ITERATED>(s, block, pass, joined.alpha, first, j);
+            let mut color = colors::<S, TEXEL, ITERATED>(s, block, pass, joined.alpha, slot, j);
             if BLEND && let Some(config) = &pipeline.state.blend {
                 let element = s.load16(&pixels[place..]);
                 let aux = tile.aux.get(place..).unwrap_or(&[]);
@@ -218,20 +215,21 @@ fn fragments<
     tile.counters.pixels_out += u64::from(block.live.count_ones());
 }
 
-/// The colours of fragments `j..` of the slot that begins at `first`.
+/// The colours of fragments `j..` of a slot.
 #[inline(always)]
 fn colors<S: Simd, const TEXEL: bool, const ITERATED: bool>(
     s: S,
     block: &Block,
     pass: &Pass<'_>,
     alpha: AlphaSource,
-    first: usize,
+    slot: usize,
     j: usize,
 ) -> [S::I; 2] {
     let zero = s.splat(0);
     let mut iterated = [zero; 2];
     if ITERATED {
-        iterated = block.steps.colors.lanes(s, j);
+        let at = &block.slots[slot];
+        iterated = iterated_colors(s, &pass.triangle(at).narrow, places(s, at.x, at.y, j));
     }
     if !TEXEL {
         return iterated;
@@ -239,9 +237,9 @@ fn colors<S: Simd, const TEXEL: bool, const ITERATED: bool>(
     let Some(plan) = &pass.pipeline.units[0] else { return iterated };
     let entries = plan.texture.entries();
     let texel = if plan.point {
-        texels::<S, true>(s, block, entries, first + j)
+        texels::<S, true>(s, block, entries, slot * STAMP + j)
     } else {
-        texels::<S, false>(s, block, entries, first + j)
+        texels::<S, false>(s, block, entries, slot * STAMP + j)
     };
     let mut color = texel;
     if ITERATED {

@@ -3,7 +3,7 @@
 use fillrate_simd::{IntLanes, Simd};
 
 use super::block::STAMP;
-use crate::setup::Plane64;
+use crate::setup::{Narrow, Plane64};
 use crate::state::{DITHER_2X2, DITHER_4X4, Dither};
 
 /// Column of each fragment in its stamp.
@@ -17,8 +17,20 @@ pub(crate) static COLUMN_F: [f64; STAMP] =
 pub(crate) static ROW_F: [f64; STAMP] =
     [0., 0., 0., 0., 1., 1., 1., 1., 2., 2., 2., 2., 3., 3., 3., 3.];
 
-/// How a 32-bit attribute differs from the stamp's first fragment at each of
-/// its fragments.
+/// Screen columns and rows of fragments `j..` of the stamp at (x, y).
+#[inline(always)]
+pub(crate) fn places<S: Simd>(s: S, x: i32, y: i32, j: usize) -> [S::I; 2] {
+    [s.splat(x) + s.load(&COLUMN[j..]), s.splat(y) + s.load(&ROW[j..])]
+}
+
+/// A 32-bit attribute at screen columns and rows.
+#[inline(always)]
+pub(crate) fn iterate<S: Simd>(s: S, narrow: &Narrow, lane: usize, [x, y]: [S::I; 2]) -> S::I {
+    s.splat(narrow.c[lane]) + (x.mul(s.splat(narrow.dx[lane])) + y.mul(s.splat(narrow.dy[lane])))
+}
+
+/// How an edge's value differs from that at a stamp's first fragment at each
+/// of its fragments.
 #[inline(always)]
 pub(crate) fn ramp<S: Simd>(s: S, dx: i32, dy: i32, out: &mut [i32; STAMP]) {
     for j in (0..STAMP).step_by(S::LANES) {

@@ -6,8 +6,8 @@ mod registers;
 mod sst1;
 mod vertex;
 
-pub(crate) use launch::{Launch, NARROW, Z};
-pub(crate) use planes::{Plane64, Screen, Triangle, Triangles, prepare};
+pub(crate) use launch::{Launch, Z};
+pub(crate) use planes::{Narrow, Plane64, Screen, Triangle, Triangles, prepare};
 pub use registers::{Param, Registers, WideParam};
 pub use sst1::{Cull, Outcome, triangle};
 pub(crate) use sst1::{Fate, set_up};

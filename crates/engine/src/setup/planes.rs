@@ -52,18 +52,6 @@ pub(crate) struct Narrow {
 }
 
 impl Narrow {
-    /// All attributes at a pixel.
-    #[inline(always)]
-    pub fn at(&self, x: i32, y: i32) -> [i32; NARROW] {
-        let mut out = self.c;
-        for (i, out) in out.iter_mut().enumerate() {
-            *out = out
-                .wrapping_add(self.dx[i].wrapping_mul(x))
-                .wrapping_add(self.dy[i].wrapping_mul(y));
-        }
-        out
-    }
-
     /// One attribute at a pixel.
     #[inline(always)]
     pub fn value(&self, lane: usize, x: i32, y: i32) -> i32 {
