@@ -203,6 +203,25 @@ pub(crate) fn blend_stage<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, til
     }
 }
 
+/// Counts and writes the fragments left where all have one colour.
+#[inline(always)]
+pub(crate) fn write_flat<S: Simd>(s: S, block: &Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    let Some(stamp) = &pass.pipeline.flat else { return };
+    let ColorTile::Bits16(pixels, _) = &mut tile.color else { return };
+    tile.counters.pixels_out += u64::from(block.live.count_ones());
+    for slot in 0..block.count {
+        let to = &mut pixels[block.slots[slot].at as usize..][..STAMP];
+        let live = (block.live >> (slot * STAMP)) as u32 & 0xffff;
+        if live == 0xffff {
+            to.copy_from_slice(stamp);
+            continue;
+        }
+        for j in (0..STAMP).step_by(S::LANES) {
+            s.store16(s.load16(&stamp[j..]), &mut to[j..], s.mask(live >> j));
+        }
+    }
+}
+
 /// Counts and writes the fragments left: colour, and alpha where the aux
 /// plane holds it.
 #[inline(always)]

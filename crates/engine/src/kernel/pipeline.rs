@@ -2,16 +2,22 @@
 
 use std::sync::Arc;
 
-use super::block::{Colors, STAMP};
+use fillrate_simd::Scalar;
+
+use super::block::{Block, Colors, STAMP};
 use super::combine::{Arithmetic, Switches};
 use super::fog::fog_entries;
 use super::joined::{Joined, join_stages};
 use super::lanes::dither_pattern;
+use super::stages::{StageList, run, stage_list};
 use super::texture::UnitPlan;
+use super::{ColorTile, Pass, Tile};
+use crate::setup::Triangles;
 use crate::state::{
     Addend, AlphaLocal, AuxWrite, ColorLocal, CombineUnit, Compare, Dither, DrawState, Factor,
     FogAmount, MAX_TMUS, Other,
 };
+use crate::stats::Counters;
 use crate::target::PixelFormat;
 use crate::texture::{Texture, TextureDesc};
 
@@ -35,6 +41,8 @@ pub(crate) enum Stage {
     Write,
     /// The end of the list in one loop.
     Joined(Joined),
+    /// One colour for all fragments; see [`Pipeline::flat`].
+    Flat,
 }
 
 /// Which iterated values the stages read.
@@ -72,6 +80,9 @@ pub(crate) struct Pipeline {
     pub zero: Colors,
     pub fog_entries: [u64; 64],
     pub dither: [i32; STAMP],
+    /// The stamp that the pipeline draws, where every fragment gets the same
+    /// colour, whatever its place and what was there before.
+    pub flat: Option<[u16; STAMP]>,
     /// 15 less the 4x4 matrix: what dithering took, at most.
     pub undither: [i32; STAMP],
 }
@@ -111,11 +122,19 @@ impl Pipeline {
             zero: Colors::splat(0),
             fog_entries: fog_entries(&state.fog_table),
             dither: dither_pattern(state.dither),
+            flat: None,
             undither: dither_pattern(Dither::Ordered4x4).map(|d| 0x000f_000f - d),
             state,
         };
         join_stages(&mut pipeline, format);
+        flatten(&mut pipeline, format);
         pipeline
+    }
+
+    /// Whether a triangle that covers a tile replaces all its colours and
+    /// changes nothing else.
+    pub fn replaces_tile(&self) -> bool {
+        self.flat.is_some() && self.stages == [Stage::Flat]
     }
 
     /// Compiles the stages that ready-made fragments pass: no texturing, no
@@ -152,6 +171,43 @@ impl Pipeline {
     pub fn writes_depth(&self) -> bool {
         self.state.aux_write == AuxWrite::Depth
     }
+}
+
+/// Draws one stamp now, where combine and write need nothing of the fragments,
+/// and replaces these stages by storing it.
+fn flatten(pipeline: &mut Pipeline, format: PixelFormat) {
+    let state = &pipeline.state;
+    let ends = pipeline.stages.ends_with(&[Stage::Combine, Stage::Write]);
+    let before = pipeline.stages.len().saturating_sub(2);
+    let constant = ends
+        && format.bytes() == 2
+        && state.color_write
+        && state.aux_write != AuxWrite::Alpha
+        && !pipeline.needs.colors
+        && !reads_texture(state)
+        && state.alpha_combine.local != AlphaLocal::Depth;
+    if !constant {
+        return;
+    }
+    let mut stamp = [0; STAMP];
+    draw_stamp(pipeline, before, format, &mut stamp);
+    pipeline.flat = Some(stamp);
+    pipeline.stages.truncate(before);
+    pipeline.stages.push(Stage::Flat);
+}
+
+/// Runs the stages from `first` on over one whole stamp.
+fn draw_stamp(pipeline: &Pipeline, first: usize, format: PixelFormat, to: &mut [u16; STAMP]) {
+    let mut block = Block::new();
+    (block.live, block.count) = (0xffff, 1);
+    let mut list = StageList::<Scalar>::new();
+    stage_list(&pipeline.stages[first..], &mut list);
+    let triangles = Triangles::default();
+    let mut counters = Counters::default();
+    let pass = Pass { pipeline, triangles: &triangles };
+    let color = ColorTile::Bits16(to, format);
+    let mut tile = Tile { color, aux: &mut [], counters: &mut counters };
+    run(Scalar, &list, &mut block, &pass, &mut tile);
 }
 
 fn units(

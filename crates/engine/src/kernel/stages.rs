@@ -73,6 +73,7 @@ stage!(texel_end, |s, block, pass, tile| {
 stage!(product_end, |s, block, pass, tile| {
     joined::run_joined::<S, false, true, true>(s, block, pass, tile)
 });
+stage!(write_flat, |s, block, pass, tile| output::write_flat(s, block, pass, tile));
 stage!(write, |s, block, pass, tile| output::write(s, block, pass, tile));
 
 fn stipple_stage<S: Simd>(_: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
@@ -104,6 +105,7 @@ pub(crate) fn stage_list<S: Simd>(stages: &[Stage], out: &mut StageList<S>) {
             Stage::DepthWrite => depth_write,
             Stage::Blend => blend,
             Stage::Write => write,
+            Stage::Flat => write_flat,
             Stage::Joined(end) => match (end.depth, end.color) {
                 (false, ColorSource::Iterated) => iterated_end,
                 (true, _) => depth_iterated_end,

@@ -192,6 +192,9 @@ impl<'a, S: Simd> TilePainter<'a, S> {
         if self.is_hidden(&current, triangles, triangle, target) {
             return;
         }
+        if self.replaces_tile(&current, triangles, target) {
+            return;
+        }
         target.materialize();
         let clip = (!current.clip.contains(&self.coverage.area)).then_some(current.clip);
         self.foreign = self.block.count;
@@ -219,6 +222,31 @@ impl<'a, S: Simd> TilePainter<'a, S> {
                 }
             }
         }
+    }
+
+    /// Draws a triangle of one colour over the whole tile as a pending clear,
+    /// if that is what it is.
+    #[inline(always)]
+    fn replaces_tile(
+        &mut self,
+        current: &Current<'_>,
+        triangles: &Triangles,
+        target: &mut Target<'_>,
+    ) -> bool {
+        let Some(stamp) = current.pipeline.flat else { return false };
+        let visible = target.rect.intersect(&self.grid.bounds);
+        let area = &self.coverage.area;
+        let whole = self.coverage.is_full()
+            && area.contains(&visible)
+            && current.clip.contains(&visible)
+            && current.pipeline.replaces_tile();
+        if whole {
+            self.finish(triangles, target);
+            self.counters.pixels_in += visible.area();
+            self.counters.pixels_out += visible.area();
+            target.color.clear(stamp.map(i32::from));
+        }
+        whole
     }
 
     /// Counts and adds the covered fragments of the stamp at a screen position.
