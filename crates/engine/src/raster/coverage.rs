@@ -102,7 +102,7 @@ impl TileCoverage {
 
     /// Whether the area is so small that its stamps are not worth classifying.
     pub fn is_small(&self) -> bool {
-        let stamps = |from: u32, to: u32| (to + 3) / 4 - from / 4;
+        let stamps = |from: u32, to: u32| to.div_ceil(4) - from / 4;
         stamps(self.area.x0, self.area.x1) * stamps(self.area.y0, self.area.y1) <= 6
     }
 

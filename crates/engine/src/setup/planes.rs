@@ -290,6 +290,7 @@ impl Corrected {
         // Colours go to the top 24 bits.
         const SHIFTS: [u32; NARROW] = [8, 8, 8, 8, 0, 0, 0, 0];
         let mut out = Narrow::default();
+        #[allow(clippy::needless_range_loop, reason = "one lane of six arrays")]
         for lane in 0..NARROW {
             let (dx, dy) = (params.dx[lane], params.dy[lane]);
             let moved =
@@ -311,6 +312,7 @@ impl Corrected {
     fn wide(&self, params: &Params<[i64; GROUP]>, limits: &[f64; GROUP]) -> (WideGroup, bool) {
         let mut out = WideGroup { c: [0; GROUP], dx: [0; GROUP], dy: [0; GROUP] };
         let mut below = true;
+        #[allow(clippy::needless_range_loop, reason = "one lane of seven arrays")]
         for lane in 0..GROUP {
             let (start, dx, dy) = (params.start[lane], params.dx[lane], params.dy[lane]);
             let moved = times(dx, self.dx).wrapping_add(times(dy, self.dy)) >> COORD_FRACTION;
