@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
 #
 # Compiles the headers in every language mode, checks layouts and values, and
-# compiles the example and test programs. With the folder of libglide2x.so as
+# compiles the example and test programs. With the folder of our libraries as
 # argument, links all programs and runs them as well.
 #
 #     tests/c/headers.sh [LIBRARY_DIR]
@@ -46,7 +46,9 @@ headers="3dfx fxdll glidesys sst1vid glide glideutl gump"
     printf 'int used_forwards;\n' >>"$work/forwards.c"
     printf 'int used_backwards;\n' >>"$work/backwards.c"
 }
-for file in $headers forwards backwards types; do
+printf '#include <render_client.h>\n#include <render_client.h>\nint used_client;\n' \
+    >"$work/render_client.c"
+for file in $headers forwards backwards types render_client; do
     for standard in c89 c99 c11 c17; do
         check "$file.h as $standard" "$cc" -std=$standard $strict -fsyntax-only "$work/$file.c"
     done
@@ -66,9 +68,14 @@ for test in layout values; do
     check "$test" "$work/$test"
 done
 
+# This header includes those of the C library, which may be there for one size only.
+check "raw_values.c, compile time" "$cc" -std=c89 $strict -DCHECK_STATIC -fsyntax-only \
+    "$root/tests/c/raw_values.c"
+
+raw_programs="$root/tests/c/raw_values.c $root/tests/c/raw_calls.c $root/examples/raw/*.c"
 programs="$root/tests/c/bad_input.c $root/tests/c/bad_values.c $root/examples/glide/*.c"
 if [ -z "$library" ]; then
-    for source in $programs; do
+    for source in $programs $raw_programs; do
         check "$(basename "$source")" "$cc" -std=c99 $strict -fsyntax-only "$source"
     done
 else
@@ -78,11 +85,20 @@ else
         check "$name.c" "$cc" -std=c99 -O1 $strict "$source" -o "$work/$name" \
             -L"$library" -lglide2x -lm
     done
+    for source in $raw_programs; do
+        name=$(basename "$source" .c)
+        check "$name.c" "$cc" -std=c99 -O1 $strict "$source" -o "$work/$name" \
+            -L"$library" -lrender_client -lm
+    done
     LD_LIBRARY_PATH=$library${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
     export LD_LIBRARY_PATH
     for mode in 0 1; do
         check "bad_input, FILLRATE_CHECK=$mode" env FILLRATE_CHECK=$mode "$work/bad_input"
         check "bad_values, FILLRATE_CHECK=$mode" env FILLRATE_CHECK=$mode "$work/bad_values"
+    done
+    for source in $raw_programs; do
+        name=$(basename "$source" .c)
+        check "$name" "$work/$name"
     done
     for source in "$root"/examples/glide/*.c; do
         name=$(basename "$source" .c)

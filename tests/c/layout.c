@@ -32,6 +32,11 @@ static void scalars(void)
     CHECK(sizeof(GrProc) == sizeof(void (*)(void)));
     CHECK(sizeof(GrErrorCallbackFnc_t) == sizeof(void (*)(void)));
     CHECK(FXBIT(31) == 0x80000000U);
+    SIZE(FxColor4, 16, 16);
+    FIELD(FxColor4, r, 0, 0);
+    FIELD(FxColor4, g, 4, 4);
+    FIELD(FxColor4, b, 8, 8);
+    FIELD(FxColor4, a, 12, 12);
 }
 
 static void enumerations(void)
@@ -181,6 +186,7 @@ static void boards(void)
     FIELD(GrSst96Config_t, nTexelfx, 4, 4);
     FIELD(GrSst96Config_t, tmuConfig, 8, 8);
     SIZE(GrAT3DConfig_t, 4, 4);
+    FIELD(GrAT3DConfig_t, rev, 0, 0);
 
     SIZE(GrSstConfig_t, 36, 36);
     SIZE(GrHwConfiguration, 148, 148);

@@ -57,10 +57,15 @@ pub fn demo(args: &DemoArgs) -> Result<Outcome> {
     Ok(Outcome::Same)
 }
 
+/// The folders of examples, each with the library its programs link.
+const EXAMPLES: [(&str, &str); 2] =
+    [("examples/glide", library::GLIDE2X), ("examples/raw", library::RENDER_CLIENT)];
+
 /// A program of the examples.
 struct Scene {
     name: String,
     file: PathBuf,
+    library: &'static str,
 }
 
 /// The checkout: as asked, the working directory, or where this was built.
@@ -79,12 +84,18 @@ fn source_folder(asked: Option<&Path>) -> Result<PathBuf> {
 /// The scenes by name. A file that others share starts with "common".
 fn scenes(source: &Path, prefix: &str) -> Result<Vec<Scene>> {
     let mut scenes = Vec::new();
-    for entry in std::fs::read_dir(source.join("examples/glide"))? {
-        let file = entry?.path();
-        let Some(name) = file.file_stem().and_then(|name| name.to_str()) else { continue };
-        let is_program = file.extension().is_some_and(|extension| extension == "c");
-        if is_program && !name.starts_with("common") && name.starts_with(prefix) {
-            scenes.push(Scene { name: name.to_string(), file: file.clone() });
+    for (folder, library) in EXAMPLES {
+        let folder = source.join(folder);
+        if !folder.is_dir() {
+            continue;
+        }
+        for entry in std::fs::read_dir(folder)? {
+            let file = entry?.path();
+            let Some(name) = file.file_stem().and_then(|name| name.to_str()) else { continue };
+            let is_program = file.extension().is_some_and(|extension| extension == "c");
+            if is_program && !name.starts_with("common") && name.starts_with(prefix) {
+                scenes.push(Scene { name: name.to_string(), file: file.clone(), library });
+            }
         }
     }
     scenes.sort_by(|a, b| a.name.cmp(&b.name));
@@ -95,14 +106,14 @@ fn scenes(source: &Path, prefix: &str) -> Result<Vec<Scene>> {
 fn compile(source: &Path, scene: &Scene, build: &Path) -> Result<PathBuf> {
     let program = build.join(&scene.name);
     let compiler = std::env::var("CC").unwrap_or_else(|_| "cc".into());
-    let common = source.join("examples/glide/common.c");
+    let common = scene.file.with_file_name("common.c");
     let mut command = Command::new(&compiler);
     command.args(["-std=c99", "-O2", "-I"]).arg(source.join("include")).arg(&scene.file);
     if common.is_file() {
         command.arg(common);
     }
-    command.arg("-o").arg(&program).arg("-L").arg(library::glide_folder()?);
-    command.args(["-lglide2x", "-lm"]);
+    command.arg("-o").arg(&program).arg("-L").arg(library::need(scene.library)?);
+    command.arg(format!("-l{}", scene.library)).arg("-lm");
     let output = command
         .output()
         .with_context(|| format!("cannot start the C compiler '{compiler}'; set CC"))?;
@@ -145,8 +156,8 @@ fn draw(args: &DemoArgs, scene: &Scene, program: &Path, build: &Path) -> Result<
         triangles: finished.frames.iter().map(|note| note.triangles).sum(),
         pixels: finished.frames.iter().map(|note| note.pixels).sum(),
         seconds: drawing.as_secs_f64(),
-        threads: args.settings.threads(),
-        simd: args.settings.level().to_string(),
+        threads: args.settings.device().threads,
+        simd: args.settings.device().level.to_string(),
     })
 }
 

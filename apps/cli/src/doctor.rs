@@ -20,8 +20,9 @@ pub struct DoctorArgs {
 pub fn doctor(args: &DoctorArgs) -> Result<Outcome> {
     let levels: Vec<&str> = Level::available().map(Level::name).collect();
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let found = library::folder_of(library::GLIDE2X);
+    let found = library::folder();
     let settings = variables();
+    let loaded = fillrate_settings::Settings::load();
     if args.json {
         let object = json!({
             "version": env!("CARGO_PKG_VERSION"),
@@ -30,6 +31,8 @@ pub fn doctor(args: &DoctorArgs) -> Result<Outcome> {
             "best": Level::best().name(),
             "cores": threads,
             "library": found,
+            "config": loaded.file,
+            "problems": loaded.problems,
             "variables": settings.iter().cloned().collect::<std::collections::BTreeMap<_, _>>(),
         });
         println!("{object}");
@@ -39,12 +42,16 @@ pub fn doctor(args: &DoctorArgs) -> Result<Outcome> {
     println!("simd levels  {} (best: {})", levels.join(" "), Level::best());
     println!("cores        {threads}");
     match &found {
-        Some(folder) => println!("library      {}", folder.join(library::GLIDE2X).display()),
-        None => println!("library      {} not found", library::GLIDE2X),
+        Some(folder) => println!("libraries    {}", folder.display()),
+        None => println!("libraries    not found"),
     }
     for folder in library::candidates() {
         let mark = if Some(&folder) == found.as_ref() { "*" } else { " " };
         println!("  looked in {mark} {}", folder.display());
+    }
+    for library in library::LIBRARIES {
+        let state = if library::folder_of(library).is_some() { "found" } else { "not found" };
+        println!("library      {} {state}", library::file_name(library));
     }
     if settings.is_empty() {
         println!("variables    none set");
@@ -52,8 +59,14 @@ pub fn doctor(args: &DoctorArgs) -> Result<Outcome> {
     for (name, value) in &settings {
         println!("variable     {name}={value}");
     }
-    if let Some(problem) = settings.iter().find_map(|(name, value)| problem(name, value)) {
+    match &loaded.file {
+        Some(file) => println!("settings     {}", file.display()),
+        None => println!("settings     no fillrate.toml"),
+    }
+    for problem in &loaded.problems {
         println!("problem      {problem}");
+    }
+    if !loaded.problems.is_empty() {
         return Ok(Outcome::BadInput);
     }
     Ok(if found.is_some() { Outcome::Same } else { Outcome::BadInput })
@@ -67,20 +80,4 @@ fn variables() -> Vec<(String, String)> {
     let mut list: Vec<_> = std::env::vars().filter(|(name, _)| ours(name)).collect();
     list.sort();
     list
-}
-
-/// What is wrong with a variable's value, if anything.
-fn problem(name: &str, value: &str) -> Option<String> {
-    match name {
-        "FILLRATE_SIMD" => match value.parse::<Level>() {
-            Ok(level) if level.is_available() => None,
-            Ok(level) => Some(format!("{name}: this machine has no {level}")),
-            Err(error) => Some(format!("{name}: {error}")),
-        },
-        "FILLRATE_THREADS" => match value.parse::<u16>() {
-            Ok(1..=256) => None,
-            _ => Some(format!("{name}: '{value}' is not a count from 1 to 256")),
-        },
-        _ => None,
-    }
 }

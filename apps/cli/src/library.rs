@@ -4,14 +4,23 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 
-/// File name of the Glide 2.x library on this system.
-pub const GLIDE2X: &str = if cfg!(target_os = "macos") {
-    "libglide2x.dylib"
-} else if cfg!(windows) {
-    "glide2x.dll"
-} else {
-    "libglide2x.so"
-};
+/// The file name of a library on this system.
+pub fn file_name(library: &str) -> String {
+    if cfg!(target_os = "macos") {
+        format!("lib{library}.dylib")
+    } else if cfg!(windows) {
+        format!("{library}.dll")
+    } else {
+        format!("lib{library}.so")
+    }
+}
+
+/// The Glide 2.x library.
+pub const GLIDE2X: &str = "glide2x";
+/// The client interface of the Raw pipeline.
+pub const RENDER_CLIENT: &str = "render_client";
+/// Every drop-in library.
+pub const LIBRARIES: [&str; 2] = [GLIDE2X, RENDER_CLIENT];
 
 /// The variable that makes the dynamic linker look into our folder first.
 pub const SEARCH_PATH: &str =
@@ -30,22 +39,41 @@ pub fn candidates() -> Vec<PathBuf> {
     folders
 }
 
-/// The folder that holds a library.
+/// The folder that holds a library: the one that was asked for, else the one with the newest, since
+/// a build may renew only one of several copies.
 pub fn folder_of(library: &str) -> Option<PathBuf> {
-    candidates().into_iter().find(|folder| folder.join(library).is_file())
+    let file = file_name(library);
+    let holds = |folder: &PathBuf| folder.join(&file).is_file();
+    if let Some(asked) = std::env::var_os("FILLRATE_LIB_DIR").map(PathBuf::from).filter(holds) {
+        return Some(asked);
+    }
+    let age = |folder: &PathBuf| folder.join(&file).metadata().and_then(|m| m.modified()).ok();
+    candidates().into_iter().filter(holds).max_by_key(age)
 }
 
-/// The folder of the Glide library, as an error where there is none.
-pub fn glide_folder() -> Result<PathBuf> {
-    folder_of(GLIDE2X).with_context(|| {
-        let tried: Vec<String> =
-            candidates().iter().map(|folder| folder.display().to_string()).collect();
-        format!(
-            "{GLIDE2X} was not found; looked in {} (build it with: cargo build --release -p \
-             fillrate-glide2x, or set FILLRATE_LIB_DIR)",
-            tried.join(", ")
-        )
-    })
+/// The first folder that holds any of our libraries.
+pub fn folder() -> Option<PathBuf> {
+    LIBRARIES.into_iter().find_map(folder_of)
+}
+
+/// The folder of a library, as an error where there is none.
+pub fn need(library: &str) -> Result<PathBuf> {
+    folder_of(library).with_context(|| not_found(&format!("no {}", file_name(library))))
+}
+
+/// The first folder that holds any of our libraries, as an error where there is none.
+pub fn need_any() -> Result<PathBuf> {
+    folder().with_context(|| not_found("no library of ours"))
+}
+
+fn not_found(what: &str) -> String {
+    let tried: Vec<String> =
+        candidates().iter().map(|folder| folder.display().to_string()).collect();
+    format!(
+        "{what} was found; looked in {} (build the libraries with: cargo build --release, or set \
+         FILLRATE_LIB_DIR)",
+        tried.join(", ")
+    )
 }
 
 /// The search path with `folder` first.

@@ -8,6 +8,7 @@ mod demo;
 mod doctor;
 mod gallery;
 mod library;
+mod raw;
 mod replay;
 mod run;
 mod settings;
@@ -34,6 +35,8 @@ enum Command {
     Demo(demo::DemoArgs),
     /// Draw a recorded trace again and compare it with what was recorded.
     Replay(replay::ReplayArgs),
+    /// The Raw pipeline: serve clients, play records, run the experiment.
+    Raw(raw::RawArgs),
     /// Measure the workloads W1 to W9.
     Bench(bench::BenchArgs),
     /// Print what this machine offers and how Fillrate is set up.
@@ -59,6 +62,7 @@ fn main() -> ExitCode {
         Command::Run(args) => run::run(&args),
         Command::Demo(args) => demo::demo(&args),
         Command::Replay(args) => replay::replay(&args),
+        Command::Raw(args) => raw::raw(&args),
         Command::Bench(args) => bench::bench(&args),
         Command::Doctor(args) => doctor::doctor(&args),
     };

@@ -6,13 +6,12 @@ use std::path::PathBuf;
 
 use anyhow::{Context as _, Result};
 use clap::Args;
-use fillrate_engine::DeviceConfig;
 use fillrate_player::{Limits, Played, Player, Stop, Verdict};
 use fillrate_trace::TraceReader;
 
 use crate::Outcome;
 use crate::settings::Settings;
-use crate::target::GlideTarget;
+use crate::target::AnyTarget;
 
 /// Options of `fillrate replay`.
 #[derive(Args, Debug)]
@@ -42,14 +41,10 @@ pub fn replay(args: &ReplayArgs) -> Result<Outcome> {
     if let Some(folder) = &args.out {
         std::fs::create_dir_all(folder)?;
     }
-    let device = DeviceConfig {
-        threads: args.settings.threads(),
-        level: args.settings.level(),
-        ..DeviceConfig::default()
-    };
+    let device = args.settings.device();
     let reader = TraceReader::new(BufReader::new(file))?;
     let limits = Limits { frames: args.frames, ..Limits::default() };
-    let mut player = Player::new(reader, GlideTarget::new(device), limits);
+    let mut player = Player::new(reader, AnyTarget::new(device), limits);
     let (mut frames, mut different) = (0u64, 0u64);
     loop {
         match player.step()? {

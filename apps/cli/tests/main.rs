@@ -1,6 +1,10 @@
 //! The program and the C library as a user meets them: examples compiled by
 //! the system's C compiler, run, recorded and replayed.
 
+mod card;
+#[path = "conformance/mod.rs"]
+mod conformance;
+
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -17,6 +21,8 @@ fn fillrate() -> Command {
             command.env_remove(name);
         }
     }
+    // An older library may lie beside the program.
+    command.env("FILLRATE_LIB_DIR", library_folder());
     command.current_dir(root());
     command
 }
@@ -59,7 +65,7 @@ fn gallery(variables: &[(&str, String)]) -> BTreeMap<String, String> {
 fn gallery_is_as_it_was() {
     let file = root().join("tests/golden/gallery.json");
     let drawn = gallery(&[]);
-    assert!(drawn.len() >= 20, "{drawn:?}");
+    assert!(drawn.len() >= 25, "{drawn:?}");
     if std::env::var_os("BLESS").is_some() {
         let text = serde_json::to_string_pretty(&drawn).expect("hashes are text");
         std::fs::write(&file, text + "\n").expect("the golden file can be written");
@@ -92,37 +98,122 @@ fn gallery_is_the_same_everywhere() {
     }
 }
 
+/// Compiles a program as its author would; returns where it is.
+fn compile(file: &Path, library: &str, folder: &Path) -> PathBuf {
+    let program = folder.join(file.file_stem().expect("a name"));
+    run(Command::new("cc")
+        .args(["-std=c99", "-O2", "-I"])
+        .arg(root().join("include"))
+        .arg(file)
+        .arg("-o")
+        .arg(&program)
+        .arg("-L")
+        .arg(library_folder())
+        .arg(format!("-l{library}"))
+        .arg("-lm"));
+    program
+}
+
+/// The programs of a folder of examples.
+fn examples(folder: &str) -> Vec<PathBuf> {
+    let files = std::fs::read_dir(root().join(folder)).expect("examples exist");
+    let files = files.map(|entry| entry.expect("a file").path());
+    files.filter(|file| file.extension().is_some_and(|extension| extension == "c")).collect()
+}
+
 /// A recording of every example replays to the same hashes.
 #[test]
 fn recordings_replay_to_the_same_frames() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let examples = root().join("examples/glide");
     let mut count = 0;
-    for entry in std::fs::read_dir(examples).expect("examples exist") {
-        let file = entry.expect("a file").path();
-        if file.extension().is_none_or(|extension| extension != "c") {
-            continue;
+    for (examples_of, library) in [("glide", "glide2x"), ("raw", "render_client")] {
+        for file in examples(&format!("examples/{examples_of}")) {
+            let program = compile(&file, library, folder.path());
+            let trace = folder.path().join("trace");
+            run(fillrate()
+                .args(["run", "--frames", "8", "--trace"])
+                .arg(&trace)
+                .arg("--")
+                .arg(&program));
+            let replayed = run(fillrate().arg("replay").arg("--hash").arg(&trace));
+            assert!(!replayed.stdout.is_empty(), "{} shows no frame", file.display());
+            count += 1;
         }
-        let program = folder.path().join(file.file_stem().expect("a name"));
-        run(Command::new("cc")
-            .args(["-std=c99", "-O2", "-I"])
-            .arg(root().join("include"))
-            .arg(&file)
-            .arg("-o")
-            .arg(&program)
-            .arg("-L")
-            .arg(library_folder())
-            .args(["-lglide2x", "-lm"]));
-        let trace = folder.path().join("trace");
-        run(fillrate()
-            .args(["run", "--frames", "8", "--trace"])
-            .arg(&trace)
-            .arg("--")
-            .arg(&program));
-        run(fillrate().arg("replay").arg(&trace));
-        count += 1;
     }
-    assert!(count >= 20, "{count}");
+    assert!(count >= 24, "{count}");
+}
+
+/// A client of the Raw pipeline draws the same on the other side of pipes: on one tile, on sixteen,
+/// and from a file of the records it sent.
+#[test]
+fn raw_clients_draw_the_same_over_every_transport() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for file in examples("examples/raw") {
+        let program = compile(&file, "render_client", folder.path());
+        let [here, single, grid] = ["here", "single", "grid"].map(|name| folder.path().join(name));
+        run(fillrate().args(["run", "--out"]).arg(&here).arg("--").arg(&program));
+        let mut frames: Vec<_> = std::fs::read_dir(&here)
+            .expect("frames")
+            .map(|entry| entry.expect("a file").path())
+            .filter(|file| file.extension().is_some_and(|extension| extension == "png"))
+            .collect();
+        frames.sort();
+        let last = std::fs::read(frames.last().expect("a frame")).expect("a picture");
+        for (build, out) in [("single", &single), ("grid", &grid)] {
+            let mut serve = fillrate();
+            serve.args(["raw", "serve", "--build", build, "--out"]).arg(out);
+            run(serve.arg("--").arg(&program));
+            let served = std::fs::read(out.join("front.png")).expect("a picture");
+            assert!(served == last, "{} on {build}", file.display());
+        }
+        let records = folder.path().join("records");
+        let sent = std::fs::File::create(&records).expect("a file");
+        let status = Command::new(&program)
+            .env("FILLRATE_RAW_TRANSPORT", "pipe")
+            .env("LD_LIBRARY_PATH", library_folder())
+            .stdin(std::process::Stdio::null())
+            .stdout(sent)
+            .stderr(std::process::Stdio::null())
+            .status();
+        assert!(status.expect("the program starts").success());
+        run(fillrate().args(["raw", "play", "--out"]).arg(&single).arg(&records));
+        let played = std::fs::read(single.join("front.png")).expect("a picture");
+        assert!(played == last, "{} from a file", file.display());
+        std::fs::remove_dir_all(&here).expect("removed");
+    }
+}
+
+/// Faults of records end with exit code 3 and name their place.
+#[test]
+fn raw_faults_name_their_place() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let play = |text: &str, more: &[&str]| {
+        let file = folder.path().join("records");
+        std::fs::write(&file, text).expect("a file");
+        let output = fillrate().args(["raw", "play"]).args(more).arg(&file).output();
+        let output = output.expect("the program starts");
+        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    for build in [&[][..], &["--build", "grid"]] {
+        let (code, text) = play("0x0000001e\n", build);
+        assert_eq!((code, text.as_str()), (Some(0), ""));
+        let (code, text) = play("0x0000001e\n0x00000063\n0x00000022\n0x00000007\n", build);
+        assert_eq!(code, Some(3));
+        assert!(text.contains("word 1: opcode 0x00000063"), "{text}");
+        assert!(text.contains("word 3: texture 7 does not exist"), "{text}");
+        let (code, text) = play("0x0000001e\nnonsense!!\n", build);
+        assert_eq!(code, Some(3));
+        assert!(text.contains("record 1 at byte 11"), "{text}");
+        let (code, text) = play("0x0000001e\nwait******\n", build);
+        assert_eq!(code, Some(3));
+        assert!(text.contains("waits for a word") || text.contains("record 1, word 1"), "{text}");
+        let (code, text) = play("0x00000", build);
+        assert_eq!(code, Some(3));
+        assert!(text.contains("ends after 7 of 11 bytes"), "{text}");
+    }
+    let (code, text) = play("bad\n0x00000063\n", &["--resync"]);
+    assert_eq!(code, Some(3));
+    assert!(text.contains("record 0 at byte 0"), "{text}");
 }
 
 /// Headers in every language mode, layouts, values, bad input: the scripts'
@@ -161,6 +252,8 @@ fn dependencies_point_one_way() {
         ("fillrate-guard", &[]),
         ("fillrate-engine", &["fillrate-simd"]),
         ("fillrate-glide", &["fillrate-engine", "fillrate-call"]),
+        ("fillrate-settings", &["fillrate-glide", "fillrate-engine", "fillrate-simd"]),
+        ("fillrate-raw", &["fillrate-engine", "fillrate-call"]),
         ("fillrate-trace", &["fillrate-call"]),
         ("fillrate-player", &["fillrate-call", "fillrate-trace"]),
     ]);

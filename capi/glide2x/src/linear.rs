@@ -26,6 +26,8 @@ calls! {
     grLfbConstantDepth(depth: u16) = Call::GrLfbConstantDepth { depth };
     /// Sets the colour format of writes.
     grLfbWriteColorFormat(format: i32) = Call::GrLfbWriteColorFormat { format };
+    /// Exchanges the bytes or half words of what is written.
+    grLfbWriteColorSwizzle(bytes: i32, words: i32) = Call::GrLfbWriteColorSwizzle { bytes, words };
     /// Sets the write mode of the calls before 2.4.
     grLfbWriteMode(mode: i32) = Call::GrLfbWriteMode { mode };
     /// Sets the row order of the calls before 2.4.
@@ -144,14 +146,6 @@ pub unsafe extern "C" fn grLfbReadRegion(
     })
 }
 
-/// Swaps bytes or words of later writes: part of the next release.
-#[unsafe(no_mangle)]
-pub extern "C" fn grLfbWriteColorSwizzle(bytes: i32, words: i32) {
-    if bytes != 0 || words != 0 {
-        crate::utility::unsupported("grLfbWriteColorSwizzle");
-    }
-}
-
 /// Starts access by pointer, before 2.4.
 #[unsafe(no_mangle)]
 pub extern "C" fn grLfbBegin() {
@@ -165,9 +159,7 @@ pub extern "C" fn grLfbBegin() {
 pub extern "C" fn grLfbEnd() {
     guard((), || {
         for kind in 0..=1 {
-            if let Some(buffer) = session().context.lfb_locked(kind) {
-                grLfbUnlock(kind, buffer);
-            }
+            end(kind);
         }
     })
 }
@@ -184,14 +176,87 @@ pub extern "C" fn grLfbGetWritePtr(buffer: i32) -> *mut c_void {
     pointer(1, buffer)
 }
 
+/// Ends the lock of a kind, where there is one.
+fn end(kind: i32) {
+    // Asked for on its own: the unlock locks the library again.
+    let locked = session().context.lfb_locked(kind);
+    if let Some(buffer) = locked {
+        grLfbUnlock(kind, buffer);
+    }
+}
+
 fn pointer(kind: i32, buffer: i32) -> *mut c_void {
     guard(std::ptr::null_mut(), || {
         let (mode, origin, pipeline) = session().context.old_lfb_settings();
-        if let Some(buffer) = session().context.lfb_locked(kind) {
-            grLfbUnlock(kind, buffer);
-        }
+        end(kind);
         let pipeline = i32::from(pipeline);
         call(Call::GrLfbLock { kind, buffer, mode, origin, pipeline });
+        session().old_buffers[kind as usize] = buffer;
         memory(kind)
+    })
+}
+
+/// Pixels that a rectangle can reach past the screen and still be of use.
+const MAX_SIDE: i32 = 4096;
+
+/// Reads a rectangle of 16-bit pixels from the buffer that was chosen with
+/// `grLfbGetReadPtr`, before 2.4.
+///
+/// # Safety
+/// `to` is null or has room for `height` rows, `stride` bytes apart.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn guFbReadRegion(
+    x: i32,
+    y: i32,
+    width: i32,
+    height: i32,
+    to: *mut u8,
+    stride: i32,
+) {
+    guard((), || {
+        if to.is_null() {
+            return null("guFbReadRegion");
+        }
+        let buffer = session().old_buffers[0];
+        let read = ask(|context| context.lfb_read_old_region(buffer, (x, y), (width, height)));
+        let Some(pixels) = read.filter(|_| width > 0) else { return };
+        let columns = (width as usize).min(ROW_PIXELS);
+        for (row, line) in pixels.chunks_exact(columns).enumerate() {
+            let at = to.wrapping_offset(row as isize * stride as isize).cast::<u16>();
+            for (column, &pixel) in line.iter().enumerate() {
+                // SAFETY: inside the caller's rectangle.
+                unsafe { at.wrapping_add(column).write_unaligned(pixel) }
+            }
+        }
+    })
+}
+
+/// Writes a rectangle of 16-bit pixels to the buffer that was chosen with
+/// `grLfbGetWritePtr`, before 2.4.
+///
+/// # Safety
+/// `data` is null or points to `height` rows, `stride` bytes apart.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn guFbWriteRegion(
+    x: i32,
+    y: i32,
+    width: i32,
+    height: i32,
+    data: *const u8,
+    stride: i32,
+) {
+    guard((), || {
+        if data.is_null() {
+            return null("guFbWriteRegion");
+        }
+        let (width, height) = (width.clamp(0, MAX_SIDE), height.clamp(0, MAX_SIDE));
+        if width == 0 || height == 0 || stride < 0 {
+            return;
+        }
+        let size = (height as usize - 1) * stride as usize + width as usize * 2;
+        // SAFETY: the caller's data holds the rectangle.
+        let data = unsafe { bytes(data, size) }.into();
+        let buffer = session().old_buffers[1];
+        call(Call::GuFbWriteRegion { buffer, x, y, width, height, stride, data });
     })
 }

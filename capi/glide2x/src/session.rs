@@ -1,35 +1,32 @@
 //! The one library of the process.
 
-use std::fs::File;
-use std::io::BufWriter;
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
-use fillrate_call::{Encoder, Value};
-use fillrate_glide::{Call, Context, GlideConfig, GrVertex, Report};
-use fillrate_trace::{FrameInfo, Meta, TraceWriter};
+use fillrate_capture::{FrameLog, Recorder};
+use fillrate_glide::{Call, Context, GlideConfig, GrVertex, Report, ScanOut};
+use fillrate_settings::Settings;
 
-use crate::capture::{Capture, frame_of};
-use crate::settings::Settings;
+use crate::capture::{drawn, frame_of, on_monitor};
+use crate::manager::Records;
 
 /// The type of an error callback: message, and whether it is fatal.
 pub type ErrorCallback = Option<unsafe extern "C" fn(*const std::ffi::c_char, i32)>;
-
-/// Records calls.
-struct Recorder {
-    writer: TraceWriter<BufWriter<File>>,
-    encoder: Encoder,
-}
 
 /// The library and what listens to it.
 pub struct Session {
     /// The library itself.
     pub context: Context,
     recorder: Option<Recorder>,
-    capture: Option<Capture>,
+    capture: Option<FrameLog>,
+    scan_out: ScanOut,
     exit_after: Option<u64>,
     frames: u64,
     /// The program's callback.
     pub callback: ErrorCallback,
+    /// The buffers that the calls before 2.4 read and write.
+    pub old_buffers: [i32; 2],
+    /// Records of mip maps that the program holds pointers to.
+    pub records: Records,
 }
 
 static SESSION: LazyLock<Mutex<Session>> = LazyLock::new(|| Mutex::new(Session::new()));
@@ -43,8 +40,10 @@ pub fn session() -> MutexGuard<'static, Session> {
 pub fn call(call: Call) -> u32 {
     let mut session = session();
     session.record(&call);
+    let swaps = session.context.swaps();
     let result = session.context.execute(&call);
-    if let Call::GrBufferSwap { .. } = call {
+    // A register write can swap, too.
+    if session.context.swaps() > swaps {
         session.frame_shown();
     }
     if let Call::GrGlideShutdown {} = call {
@@ -104,18 +103,26 @@ fn tell_one(callback: ErrorCallback, report: &Report) {
 
 impl Session {
     fn new() -> Session {
-        let settings = Settings::from_environment();
-        let card = settings.glide.card.name;
+        let settings = Settings::load();
+        for problem in &settings.problems {
+            eprintln!("fillrate: {problem}");
+        }
+        let described = settings.glide.describe();
         let context = Context::new(settings.glide).or_else(|error| {
             eprintln!("fillrate: {error}; the default board is used");
             Context::new(GlideConfig::default())
         });
         let capture = settings.capture.and_then(|folder| {
-            let capture = Capture::new(folder, settings.every);
+            let capture = FrameLog::new(folder, settings.every);
             capture.map_err(|error| eprintln!("fillrate: cannot capture frames: {error}")).ok()
         });
         let recorder = settings.trace.and_then(|file| {
-            let recorder = Recorder::new(&file, card);
+            let config: Vec<(String, &str)> = described
+                .iter()
+                .map(|(key, value)| (format!("config.{key}"), value.as_str()))
+                .collect();
+            let config: Vec<(&str, &str)> = config.iter().map(|(k, v)| (k.as_str(), *v)).collect();
+            let recorder = Recorder::new(&file, "glide2x", &config);
             recorder.map_err(|error| eprintln!("fillrate: cannot record: {error}")).ok()
         });
         if recorder.is_some() {
@@ -126,9 +133,12 @@ impl Session {
             context: context.expect("the default board is valid"),
             recorder,
             capture,
+            scan_out: settings.scan_out,
             exit_after: settings.exit_after,
             frames: 0,
             callback: None,
+            old_buffers: [1, 1],
+            records: Records::default(),
         }
     }
 
@@ -153,31 +163,31 @@ impl Session {
     }
 
     fn note_frame(&mut self) {
-        let Some(frame) = self.context.shown().and_then(frame_of) else { return };
-        let counters = self.context.counters();
-        if let Some(capture) = &mut self.capture
-            && let Err(error) = capture.frame(self.frames, &frame, counters)
-        {
-            eprintln!("fillrate: frames are no longer captured: {error}");
-            self.capture = None;
-        }
-        if let Some(recorder) = &mut self.recorder {
-            let info = FrameInfo {
-                width: frame.width(),
-                height: frame.height(),
-                hash: Some(frame.hash()),
-            };
-            if let Err(error) = recorder.writer.end_frame(info) {
-                eprintln!("fillrate: recording stops: {error}");
-                self.recorder = None;
+        let Some(shown) = self.context.shown() else { return };
+        let Some(frame) = frame_of(&shown) else { return };
+        let (counters, board) = (self.context.total_counters(), self.context.current_board());
+        if let Some(capture) = &mut self.capture {
+            let monitor = on_monitor(&shown, self.scan_out);
+            let picture = monitor.as_ref().unwrap_or(&frame);
+            let noted =
+                capture.frame_of_screen(self.frames, board, &frame, picture, drawn(&counters));
+            if let Err(error) = noted {
+                eprintln!("fillrate: frames are no longer captured: {error}");
+                self.capture = None;
             }
+        }
+        if let Some(recorder) = &mut self.recorder
+            && let Err(error) = recorder.frame(&frame)
+        {
+            eprintln!("fillrate: recording stops: {error}");
+            self.recorder = None;
         }
     }
 
     /// Ends the files.
     fn finish(&mut self) {
         if let Some(recorder) = &mut self.recorder
-            && let Err(error) = recorder.writer.flush()
+            && let Err(error) = recorder.flush()
         {
             eprintln!("fillrate: the trace is cut short: {error}");
         }
@@ -186,29 +196,10 @@ impl Session {
     /// Ends the trace for good.
     fn end_trace(&mut self) {
         if let Some(recorder) = self.recorder.take()
-            && let Err(error) = recorder.writer.finish()
+            && let Err(error) = recorder.finish()
         {
             eprintln!("fillrate: the trace is cut short: {error}");
         }
-    }
-}
-
-impl Recorder {
-    fn new(file: &std::path::Path, card: &str) -> Result<Recorder, Box<dyn std::error::Error>> {
-        let program = std::env::args().next().unwrap_or_default();
-        let meta = Meta::new()
-            .with("api", "glide2x")
-            .with("program", program)
-            .with("card", card)
-            .with("creator", concat!("fillrate ", env!("CARGO_PKG_VERSION")));
-        let writer = TraceWriter::new(BufWriter::new(File::create(file)?), &meta)?;
-        Ok(Recorder { writer, encoder: Encoder::with_blobs() })
-    }
-
-    fn record(&mut self, call: &Call) -> Result<(), fillrate_trace::TraceError> {
-        self.encoder.clear();
-        call.encode(&mut self.encoder);
-        self.writer.record_encoded(&mut self.encoder)
     }
 }
 

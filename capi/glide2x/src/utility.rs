@@ -1,61 +1,12 @@
-//! The utility library's parts that need no board, and what is still to come.
+//! The utility library's parts that need no board.
 
-use std::collections::BTreeSet;
-use std::sync::{Mutex, PoisonError};
+use std::ffi::c_char;
 
-use fillrate_glide::gu;
-use fillrate_guard::{guard, write};
+use fillrate_glide::{Call, gu};
+use fillrate_guard::{bytes, guard, text, write};
 
-/// Says once that an entry point does nothing yet.
-pub(crate) fn unsupported(function: &'static str) {
-    static TOLD: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
-    if TOLD.lock().unwrap_or_else(PoisonError::into_inner).insert(function) {
-        eprintln!("fillrate: {function} is not supported yet; see docs/unsupported.md");
-    }
-}
-
-/// Exports that report themselves and do nothing.
-macro_rules! not_yet {
-    ($($name:ident($($type:ty),*) $(-> $result:ty = $value:expr)?;)*) => {$(
-        /// Not supported yet: reports itself, does nothing, returns failure.
-        #[unsafe(no_mangle)]
-        pub extern "C" fn $name($(_: $type),*) $(-> $result)? {
-            guard((), || unsupported(stringify!($name)));
-            $($value)?
-        }
-    )*};
-}
-
-not_yet! {
-    grGlideShamelessPlug(i32);
-    grSplash(f32, f32, f32, f32, u32);
-    guTexAllocateMemory(i32, u8, i32, i32, i32, i32, i32, i32, i32, i32, i32, i32, i32, f32, i32)
-        -> u32 = 0xffff_ffff;
-    guTexChangeAttributes(u32, i32, i32, i32, i32, i32, i32, i32, i32, i32, i32, i32) -> i32 = 0;
-    guTexDownloadMipMap(u32, *const u8, *const u8);
-    guTexDownloadMipMapLevel(u32, i32, *mut *const u8);
-    guTexSource(u32);
-    guTexGetCurrentMipMap(i32) -> u32 = 0xffff_ffff;
-    guTexGetMipMapInfo(u32) -> *mut u8 = std::ptr::null_mut();
-    guTexMemQueryAvail(i32) -> u32 = 0;
-    guTexMemReset();
-    guTexCreateColorMipMap() -> *mut u16 = std::ptr::null_mut();
-    gu3dfGetInfo(*const i8, *mut u8) -> i32 = 0;
-    gu3dfLoad(*const i8, *mut u8) -> i32 = 0;
-    guMovieSetName(*const i8);
-    guMovieStart();
-    guMovieStop();
-    guMPInit();
-    guMPTexCombineFunction(i32);
-    guMPTexSource(i32, u32);
-    guMPDrawTriangle(*const u8, *const u8, *const u8);
-    guFbReadRegion(i32, i32, i32, i32, *mut u8, i32);
-    guFbWriteRegion(i32, i32, i32, i32, *const u8, i32);
-    guEncodeRLE16(*mut u8, *const u8, u32, u32) -> i32 = 0;
-    ConvertAndDownloadRle(
-        i32, u32, i32, i32, i32, i32, u32, *const u8, i32, u32, u32, u32, u32, u32, u32, *const u16
-    );
-}
+use crate::library::calls;
+use crate::session::{call, null};
 
 /// The w of a fog table entry.
 #[unsafe(no_mangle)]
@@ -103,4 +54,56 @@ pub extern "C" fn guEndianSwapWords(value: u32) -> u32 {
 #[unsafe(no_mangle)]
 pub extern "C" fn guEndianSwapBytes(value: u16) -> u16 {
     value.swap_bytes()
+}
+
+/// Codes a 565 picture in runs: a word each, the length in its high half.
+/// Returns the bytes that takes; a null destination only counts.
+///
+/// # Safety
+/// `source` is null or points to `width` x `height` pixels, `destination` is
+/// null or has room for what is counted.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn guEncodeRLE16(
+    destination: *mut u32,
+    source: *const u8,
+    width: u32,
+    height: u32,
+) -> i32 {
+    guard(0, || {
+        let count = (width as usize).saturating_mul(height as usize).saturating_mul(2);
+        if source.is_null() || count > i32::MAX as usize / 2 {
+            null("guEncodeRLE16");
+            return 0;
+        }
+        // SAFETY: the caller's picture.
+        let pixels = unsafe { bytes(source, count) }.as_chunks().0;
+        let runs = gu::encode_rle16(pixels.iter().map(|&pixel| u16::from_le_bytes(pixel)));
+        if !destination.is_null() {
+            for (i, &run) in runs.iter().enumerate() {
+                // SAFETY: the caller gives room for what was counted.
+                unsafe { write(destination.wrapping_add(i), run) }
+            }
+        }
+        (runs.len() * 4) as i32
+    })
+}
+
+calls! {
+    /// Starts a movie, which no release ever did.
+    guMovieStart() = Call::GuMovieStart {};
+    /// Stops a movie.
+    guMovieStop() = Call::GuMovieStop {};
+}
+
+/// Names a movie.
+///
+/// # Safety
+/// `name` is null or a text that ends.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn guMovieSetName(name: *const c_char) {
+    guard((), || {
+        // SAFETY: the caller's text.
+        let name = unsafe { text(name) }.unwrap_or_default().into();
+        call(Call::GuMovieSetName { name });
+    })
 }

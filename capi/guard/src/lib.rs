@@ -52,6 +52,16 @@ pub unsafe fn bytes<'a>(pointer: *const u8, count: usize) -> &'a [u8] {
     unsafe { std::slice::from_raw_parts(pointer, count) }
 }
 
+/// The bytes of a text, without the zero that ends it; `None` for null.
+///
+/// # Safety
+/// `pointer` is null or points to bytes that end with a zero and stay
+/// unchanged while the slice is used.
+pub unsafe fn text<'a>(pointer: *const std::ffi::c_char) -> Option<&'a [u8]> {
+    // SAFETY: not null, so it ends by the caller's promise.
+    (!pointer.is_null()).then(|| unsafe { std::ffi::CStr::from_ptr(pointer) }.to_bytes())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -69,6 +79,8 @@ mod tests {
             assert_eq!(read::<u32>(std::ptr::null()), None);
             write::<u32>(std::ptr::null_mut(), 1);
             assert!(bytes(std::ptr::null(), 100).is_empty());
+            assert_eq!(text(std::ptr::null()), None);
+            assert_eq!(text(c"name".as_ptr()), Some(&b"name"[..]));
         }
     }
 }

@@ -35,6 +35,10 @@ value_enum! {
         11 => GrResetTriStats {},
         /// Writes a raw register.
         12 => GrSstConfigPipeline { chip: i32, register: u32, value: u32 },
+        /// Draws the start-up picture: one frame, or all of it for frame 0.
+        13 => GrSplash { x: f32, y: f32, width: f32, height: f32, frame: u32 },
+        /// Switches the mark in the corner.
+        14 => GrGlideShamelessPlug { on: i32 },
         /// Fills the clip window.
         20 => GrBufferClear { color: u32, alpha: u8, depth: u16 },
         /// Shows the back buffer.
@@ -161,5 +165,37 @@ value_enum! {
         107 => GrLfbOrigin { origin: i32 },
         /// Sets the pixel pipeline's bypass of the calls before 2.4.
         108 => GrLfbBypassMode { mode: i32 },
+        /// Exchanges the bytes or half words of what is written.
+        109 => GrLfbWriteColorSwizzle { bytes: i32, words: i32 },
+        /// Takes texture memory for a mip map.
+        130 => GuTexAllocateMemory { tmu: i32, even_odd: u8, width: i32, height: i32, format: i32, mip_map_mode: i32, small_lod: i32, large_lod: i32, aspect: i32, s_clamp: i32, t_clamp: i32, minify: i32, magnify: i32, lod_bias: f32, trilinear: i32 },
+        /// Changes how a mip map is sampled; -1 keeps a field.
+        131 => GuTexChangeAttributes { id: u32, width: i32, height: i32, format: i32, mip_map_mode: i32, small_lod: i32, large_lod: i32, aspect: i32, s_clamp: i32, t_clamp: i32, minify: i32, magnify: i32 },
+        /// Stores all levels of a mip map, and its compression table.
+        132 => GuTexDownloadMipMap { id: u32, data: Data, table: Option<Data> },
+        /// Stores one level of a mip map.
+        133 => GuTexDownloadMipMapLevel { id: u32, lod: i32, data: Data },
+        /// Makes a mip map current.
+        134 => GuTexSource { id: u32 },
+        /// Forgets all mip maps.
+        135 => GuTexMemReset {},
+        /// Forgets the virtual texture units.
+        136 => GuMpInit {},
+        /// Sets how the virtual texture units are put together.
+        137 => GuMpTexCombineFunction { function: i32 },
+        /// Chooses the mip map of a virtual texture unit.
+        138 => GuMpTexSource { tmu: i32, id: u32 },
+        /// Draws a triangle with both virtual texture units.
+        139 => GuMpDrawTriangle { a: GrVertex, b: GrVertex, c: GrVertex },
+        /// Starts a movie, which no release ever did.
+        140 => GuMovieStart {},
+        /// Stops a movie.
+        141 => GuMovieStop {},
+        /// Names a movie.
+        142 => GuMovieSetName { name: Data },
+        /// Writes a rectangle of 16-bit pixels as the calls before 2.4 did.
+        143 => GuFbWriteRegion { buffer: i32, x: i32, y: i32, width: i32, height: i32, stride: i32, data: Data },
+        /// Decodes a sprite into a texture level.
+        144 => ConvertAndDownloadRle { tmu: i32, start: u32, this_lod: i32, large_lod: i32, aspect: i32, format: i32, even_odd: u32, sprite: Data, rows: i32, u0: u32, v0: u32, width: u32, height: u32, dest_width: u32, dest_height: u32, table: Vec<u16> },
     }
 }

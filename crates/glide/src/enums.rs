@@ -40,11 +40,13 @@ pub const OTHER_TEXTURE: i32 = 1;
 pub const OTHER_CONSTANT: i32 = 2;
 
 pub const BLEND_ZERO: i32 = 0;
+pub const BLEND_COLOR: i32 = 2;
 pub const BLEND_ONE: i32 = 4;
 pub const BLEND_ALPHA_SATURATE: i32 = 0xf;
 
 pub const CMP_ALWAYS: i32 = 7;
 pub const CMP_LESS: i32 = 1;
+pub const CMP_EQUAL: i32 = 2;
 
 pub const DEPTHBUFFER_WBUFFER: i32 = 2;
 pub const DEPTHBUFFER_ZBUFFER_COMPARE_TO_BIAS: i32 = 3;

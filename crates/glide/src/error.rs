@@ -24,7 +24,7 @@ impl fmt::Display for Report {
 /// A call's name as the headers spell it.
 pub(crate) fn historic_name(name: &str) -> String {
     // The first letter is small; some names have other capitals besides.
-    const OTHERS: [(&str, &str); 7] = [
+    const OTHERS: [(&str, &str); 12] = [
         ("GrAlphaControlsItrgbLighting", "grAlphaControlsITRGBLighting"),
         ("GrTexNccTable", "grTexNCCTable"),
         ("GrAaDrawPoint", "grAADrawPoint"),
@@ -32,11 +32,19 @@ pub(crate) fn historic_name(name: &str) -> String {
         ("GrAaDrawTriangle", "grAADrawTriangle"),
         ("GrAaDrawPolygon", "grAADrawPolygon"),
         ("GuAaDrawTriangleWithClip", "guAADrawTriangleWithClip"),
+        ("GuMpInit", "guMPInit"),
+        ("GuMpTexCombineFunction", "guMPTexCombineFunction"),
+        ("GuMpTexSource", "guMPTexSource"),
+        ("GuMpDrawTriangle", "guMPDrawTriangle"),
+        ("ConvertAndDownloadRle", "ConvertAndDownloadRle"),
     ];
     if let Some((_, theirs)) = OTHERS.iter().find(|(ours, _)| *ours == name) {
         return (*theirs).to_string();
     }
-    name.replacen('G', "g", 1)
+    match name.strip_prefix('G') {
+        Some(rest) => format!("g{rest}"),
+        None => name.to_string(),
+    }
 }
 
 /// Why a context cannot be made.

@@ -5,9 +5,10 @@ use crate::call::Call;
 use crate::combine::{alpha_preset, color_preset, is_delta0, texture_preset};
 use crate::context::Context;
 use crate::enums::*;
-use crate::registers::{fbz, replace};
+use crate::gu::{Attributes, MipMap, MultiPass, NCC_TABLE_BYTES, Sprite};
+use crate::registers::{lfb_mode, replace, switch};
 use crate::texture::layout;
-use crate::texture_state::TextureInfo;
+use crate::texture_state::{TextureInfo, lod_bias_quarters};
 
 /// Whether a chain of textures would cross a boundary of two megabytes.
 fn crosses_bank(start: u32, info: &TextureInfo, even_odd: u32) -> bool {
@@ -20,6 +21,7 @@ impl Context {
     /// Carries out a call. Returns what the original returned as a number:
     /// 1 and 0 for true and false, 0 for nothing.
     pub fn execute(&mut self, call: &Call) -> u32 {
+        use fillrate_call::Tagged;
         match call {
             Call::GrGlideInit {} => self.init(),
             Call::GrGlideShutdown {} => self.shutdown(),
@@ -46,6 +48,20 @@ impl Context {
             | Call::GrTexMipMapMode { .. }
             | Call::GrTexMultibase { .. }
             | Call::GrTexMultibaseAddress { .. } => self.texture_call(call),
+            Call::GuTexAllocateMemory { .. }
+            | Call::GuTexChangeAttributes { .. }
+            | Call::GuTexDownloadMipMap { .. }
+            | Call::GuTexDownloadMipMapLevel { .. }
+            | Call::GuTexSource { .. }
+            | Call::GuTexMemReset {} => return self.mip_map_call(call),
+            Call::GuMpInit {}
+            | Call::GuMpTexCombineFunction { .. }
+            | Call::GuMpTexSource { .. }
+            | Call::GuMpDrawTriangle { .. } => self.multipass_call(call),
+            Call::GuMovieStart {} | Call::GuMovieStop {} | Call::GuMovieSetName { .. } => {
+                self.warn(call.name(), "movies are not supported");
+            }
+            Call::ConvertAndDownloadRle { .. } => self.sprite_call(call),
             Call::GrLfbLock { .. }
             | Call::GrLfbUnlock { .. }
             | Call::GrLfbConstantAlpha { .. }
@@ -54,8 +70,11 @@ impl Context {
             | Call::GrLfbWriteRegion { .. }
             | Call::GrLfbWriteMode { .. }
             | Call::GrLfbOrigin { .. }
+            | Call::GrLfbWriteColorSwizzle { .. }
+            | Call::GuFbWriteRegion { .. }
             | Call::GrLfbBypassMode { .. } => return u32::from(self.lfb_call(call)),
             Call::GrBufferSwap { interval } => self.swap(*interval),
+            Call::GrGlideShamelessPlug { on } => self.plug = *on != 0,
             _ => self.board_call(call),
         }
         0
@@ -73,7 +92,9 @@ impl Context {
             self.check(false, "grSstWinOpen", "the library was not started");
             return false;
         };
-        if board.is_open() {
+        if board.is_open() && self.variables.ignore_reopen {
+            board.close();
+        } else if board.is_open() {
             self.check(false, "grSstWinOpen", "the board is open already");
             return false;
         }
@@ -82,17 +103,26 @@ impl Context {
             return false;
         }
         board.settings.color_format = format;
+        let resolution = self.variables.resolution.unwrap_or(resolution);
         let opened = board.open(resolution, origin, colors, aux);
-        if opened && let Some(gamma) = self.config.variables.get("SST_GAMMA") {
-            board.gamma = gamma.parse().ok().filter(|&g: &f32| g > 0.0).unwrap_or(board.gamma);
+        if opened {
+            board.gamma = self.variables.gamma_tables();
+            if self.config.splash && !self.variables.no_splash {
+                board.run_splash();
+            }
         }
         opened
     }
 
     fn swap(&mut self, interval: i32) {
         self.check((0..=255).contains(&interval), "grBufferSwap", "interval is outside 0..255");
+        let interval = self.variables.swap_interval.unwrap_or(interval.clamp(0, 255) as u32);
+        let plug = self.plug;
         if let Some(board) = self.board("grBufferSwap") {
-            board.swap();
+            if plug {
+                board.draw_plug();
+            }
+            board.swap(interval.min(255));
         }
     }
 
@@ -279,6 +309,90 @@ impl Context {
         self.check(known, name, "an argument is out of range");
     }
 
+    fn mip_map_call(&mut self, call: &Call) -> u32 {
+        match call {
+            Call::GuTexAllocateMemory { .. } => {
+                return described(call).map_or(0, |mip_map| self.allocate_mip_map(mip_map));
+            }
+            Call::GuTexChangeAttributes { id, .. } => {
+                let changes = attributes(call);
+                return changes.map_or(0, |changes| u32::from(self.change_mip_map(*id, &changes)));
+            }
+            Call::GuTexDownloadMipMap { id, data, table } => {
+                self.download_mip_map(*id, data, table.as_deref());
+            }
+            Call::GuTexDownloadMipMapLevel { id, lod, data } => {
+                self.download_mip_map_level(*id, *lod, data);
+            }
+            Call::GuTexSource { id } => self.source_mip_map(*id),
+            _ => self.reset_mip_maps(),
+        }
+        0
+    }
+
+    fn multipass_call(&mut self, call: &Call) {
+        match call {
+            Call::GuMpTexCombineFunction { function } => self.multipass.function = *function,
+            Call::GuMpTexSource { tmu, id } => self.set_pass_source(*tmu, *id),
+            Call::GuMpDrawTriangle { a, b, c } => self.draw_multipass([a, b, c]),
+            _ => self.multipass = MultiPass::default(),
+        }
+    }
+
+    /// Decodes the rows of a sprite from `v0` on, and of each the pixels from
+    /// `u0` on, into the first rows of a level. Where the level wants more rows
+    /// than asked for, the last one is stored once more, so that filtering
+    /// finds it there.
+    fn sprite_call(&mut self, call: &Call) {
+        const NAME: &str = "ConvertAndDownloadRle";
+        let Call::ConvertAndDownloadRle {
+            tmu,
+            start,
+            this_lod,
+            large_lod,
+            aspect,
+            format,
+            even_odd,
+            sprite,
+            rows,
+            u0,
+            v0,
+            width,
+            height,
+            dest_width,
+            dest_height,
+            table,
+        } = call
+        else {
+            return;
+        };
+        let (small_lod, large_lod, aspect, format) = (*this_lod, *large_lod, *aspect, *format);
+        let info = TextureInfo { small_lod, large_lod, aspect, format };
+        let colors = format >= 8 && table.len() == 256;
+        self.check(colors, NAME, "texels have 16 bits, and 256 colours are needed");
+        if !colors || self.texture_unit(NAME, *tmu, *start, *even_odd, &info).is_none() {
+            return;
+        }
+        let sprite = Sprite::new(sprite, usize::try_from(*rows).unwrap_or(0));
+        let (width, height) =
+            ((*width).min(*dest_width).min(256), (*height).min(*dest_height).min(256));
+        // A row is decoded up to the last pixel that is used.
+        let first = (*u0).min(256) as usize;
+        let mut pixels = vec![0; first + width as usize];
+        let mut line = vec![0; (*dest_width).min(256) as usize];
+        let extra = u32::from(*dest_height > height);
+        for row in 0..height + extra {
+            if row < height && !sprite.decode((*v0).saturating_add(row) as usize, &mut pixels) {
+                break;
+            }
+            for (texel, &pixel) in line.iter_mut().zip(&pixels[first..]) {
+                *texel = table[usize::from(pixel)];
+            }
+            let Some((board, unit)) = self.unit(NAME, *tmu) else { return };
+            board.download_row_start(unit, *start, small_lod as u32, &info, *even_odd, row, &line);
+        }
+    }
+
     fn lfb_call(&mut self, call: &Call) -> bool {
         match call {
             Call::GrLfbLock { kind, buffer, mode, origin, pipeline } => {
@@ -299,6 +413,11 @@ impl Context {
                 let Some(board) = self.board("grLfbWriteRegion") else { return false };
                 let stride = usize::try_from(*stride).unwrap_or(0);
                 board.write_region(*buffer, (*x, *y), *format, (*width, *height), stride, data)
+            }
+            Call::GuFbWriteRegion { buffer, x, y, width, height, stride, data } => {
+                let Some(board) = self.board("guFbWriteRegion") else { return false };
+                let stride = usize::try_from(*stride).unwrap_or(0);
+                board.write_old_region(*buffer, (*x, *y), (*width, *height), stride, data)
             }
             _ => self.lfb_setting(call),
         }
@@ -323,6 +442,10 @@ impl Context {
             Call::GrLfbWriteColorFormat { format } if (0..=3).contains(&format) => {
                 board.settings.color_format = format;
             }
+            Call::GrLfbWriteColorSwizzle { bytes, words } => {
+                let mode = switch(board.fbi.lfb_mode, lfb_mode::SWIZZLE_BYTES, bytes != 0);
+                board.fbi.lfb_mode = switch(mode, lfb_mode::SWAP_WORDS, words != 0);
+            }
             Call::GrLfbWriteMode { mode } => board.lfb.old.mode = mode,
             Call::GrLfbOrigin { origin } => board.lfb.old.origin = origin,
             Call::GrLfbBypassMode { mode } => board.lfb.old.pipeline = mode == 0,
@@ -340,10 +463,88 @@ impl Context {
     }
 }
 
+/// The mip map that an allocation describes.
+fn described(call: &Call) -> Option<MipMap> {
+    let Call::GuTexAllocateMemory {
+        tmu,
+        even_odd,
+        width,
+        height,
+        format,
+        mip_map_mode,
+        small_lod,
+        large_lod,
+        aspect,
+        s_clamp,
+        t_clamp,
+        minify,
+        magnify,
+        lod_bias,
+        trilinear,
+    } = *call
+    else {
+        return None;
+    };
+    Some(MipMap {
+        board: 0,
+        width,
+        height,
+        info: TextureInfo { small_lod, large_lod, aspect, format },
+        mip_map_mode,
+        magnify,
+        minify,
+        s_clamp,
+        t_clamp,
+        lod_bias: lod_bias_quarters(lod_bias),
+        tmu,
+        even_odd: u32::from(even_odd),
+        start: 0,
+        trilinear: trilinear != 0,
+        ncc_table: [0; NCC_TABLE_BYTES],
+    })
+}
+
+/// The attributes that a change gives.
+fn attributes(call: &Call) -> Option<Attributes> {
+    let Call::GuTexChangeAttributes {
+        id: _,
+        width,
+        height,
+        format,
+        mip_map_mode,
+        small_lod,
+        large_lod,
+        aspect,
+        s_clamp,
+        t_clamp,
+        minify,
+        magnify,
+    } = *call
+    else {
+        return None;
+    };
+    Some(Attributes {
+        width,
+        height,
+        format,
+        mip_map_mode,
+        small_lod,
+        large_lod,
+        aspect,
+        s_clamp,
+        t_clamp,
+        minify,
+        magnify,
+    })
+}
+
 /// Palette entries, or words of a compression table.
 fn download_table(board: &mut Board, unit: usize, table: i32, first: usize, words: &[u32]) -> bool {
     match table {
-        0 | 1 => board.memories[unit].set_ncc(table as usize, first, words),
+        0 | 1 => {
+            board.memories[unit].set_ncc(table as usize, first, words);
+            board.mip_maps.lose_ncc_table(unit, table as usize);
+        }
         TEXTABLE_PALETTE => board.memories[unit].set_palette(first, words),
         _ => return false,
     }
@@ -357,9 +558,14 @@ fn pixel_call(board: &mut Board, call: &Call) -> bool {
         Call::GrGlideSetState { ref state } => return board.restore(state),
         Call::GrHints { hint, mask } => return set_hint(board, hint, mask),
         Call::GrSstOrigin { origin } => return board.set_origin(origin),
-        Call::GrSstResetPerfStats {} | Call::GrResetTriStats {} => board.device.reset_counters(),
+        Call::GrSstIdle {} => board.clock.idle(),
+        Call::GrSstResetPerfStats {} => board.reset_pixel_counters(),
+        Call::GrResetTriStats {} => board.reset_triangle_counters(),
+        Call::GrSplash { x, y, width, height, frame } => {
+            board.draw_splash([x, y, width, height], frame);
+        }
         Call::GrSstConfigPipeline { chip, register, value } => {
-            return set_register(board, chip, register, value);
+            return board.write_register(chip, register, value);
         }
         Call::GrBufferClear { color, alpha, depth } => board.clear(color, alpha, depth),
         Call::GrRenderBuffer { buffer } => return board.set_render_buffer(buffer),
@@ -401,7 +607,7 @@ fn pixel_call(board: &mut Board, call: &Call) -> bool {
         Call::GrFogColorValue { color } => board.set_fog_color(color),
         Call::GrFogMode { mode } => return board.set_fog_mode(mode),
         Call::GrFogTable { ref table } => board.set_fog_table(table),
-        Call::GrGammaCorrectionValue { value } if value > 0.0 => board.gamma = value,
+        Call::GrGammaCorrectionValue { value } => return board.set_gamma(value),
         Call::GuColorCombineFunction { function } => return color_function(board, function),
         Call::GuAlphaSource { mode } => {
             let Some((f, factor, local, other, invert)) = alpha_preset(mode) else { return false };
@@ -427,53 +633,6 @@ fn set_hint(board: &mut Board, hint: i32, mask: u32) -> bool {
     }
     board.dirty = true;
     (0..=6).contains(&hint)
-}
-
-/// Writes a register by its index in words; those that only tune hardware are
-/// taken and do nothing.
-///
-/// Source: SST1, register map.
-fn set_register(board: &mut Board, chip: i32, register: u32, value: u32) -> bool {
-    board.dirty = true;
-    if chip != GR_FBI {
-        let Some(tmu) = usize::try_from(chip).ok().and_then(|i| board.tmus.get_mut(i)) else {
-            return false;
-        };
-        match register {
-            192 => tmu.texture_mode = value,
-            193 => tmu.t_lod = value,
-            194 => tmu.t_detail = value,
-            195..=198 => tmu.base[register as usize - 195] = value,
-            _ => {}
-        }
-        return true;
-    }
-    let fbi = &mut board.fbi;
-    match register {
-        65 => fbi.fbz_color_path = value,
-        66 => fbi.fog_mode = value,
-        67 => fbi.alpha_mode = value,
-        68 => fbi.fbz_mode = value,
-        69 => fbi.lfb_mode = value,
-        70 => fbi.clip_left_right = value,
-        71 => fbi.clip_bottom_top = value,
-        75 => fbi.fog_color = value,
-        76 => fbi.za_color = value,
-        77 => fbi.chroma_key = value,
-        80 => fbi.stipple = value,
-        81 => fbi.color0 = value,
-        82 => fbi.color1 = value,
-        88..=119 => {
-            // Two entries a word, each with its slope above it.
-            let at = (register as usize - 88) * 2;
-            let table = &mut board.fog_table;
-            [table.delta[at], table.value[at], table.delta[at + 1], table.value[at + 1]] =
-                value.to_le_bytes();
-        }
-        _ => {}
-    }
-    board.fbi.fbz_mode &= !(fbz::DRAW_BUFFER & (2 << 14));
-    true
 }
 
 /// Primitives. Always true.

@@ -13,7 +13,7 @@ use fillrate_engine::{PixelFormat, PixelRun, SurfaceId};
 use crate::board::Board;
 use crate::enums::*;
 use crate::pixel_state::swizzle;
-use crate::registers::{fbz, replace, switch};
+use crate::registers::{fbz, lfb_mode, replace, switch};
 
 /// Pixels from one row to the next, whatever the resolution.
 pub const ROW_PIXELS: usize = 1024;
@@ -160,6 +160,10 @@ impl Board {
             LFB_WRITE_ONLY => true,
             _ => return None,
         };
+        // Interleaved boards cannot be read.
+        if !writes && self.card.interleaved {
+            return None;
+        }
         let taken = if writes { &self.lfb.write } else { &self.lfb.read };
         let surface = self.surface_of(buffer)?;
         if taken.is_some() {
@@ -228,10 +232,11 @@ impl Board {
         match kind & 0xf {
             LFB_READ_ONLY => self.lfb.read.take_if(|lock| lock.buffer == buffer).is_some(),
             LFB_WRITE_ONLY => {
-                let Some(lock) = self.lfb.write.take_if(|lock| lock.buffer == buffer) else {
+                let Some(mut lock) = self.lfb.write.take_if(|lock| lock.buffer == buffer) else {
                     return false;
                 };
                 if lock.is_changed() {
+                    self.swizzle(&mut lock);
                     self.commit(&lock);
                 }
                 let mask = fbz::DEPTH_BIAS;
@@ -242,6 +247,47 @@ impl Board {
             }
             _ => false,
         }
+    }
+
+    /// A stored word as it reaches the pixels.
+    fn swizzled(&self, word: u32) -> u32 {
+        let on = |bit: u32| self.fbi.lfb_mode & bit != 0;
+        let word = if on(lfb_mode::SWIZZLE_BYTES) { word.swap_bytes() } else { word };
+        if on(lfb_mode::SWAP_WORDS) { word.rotate_left(16) } else { word }
+    }
+
+    fn swizzles(&self) -> bool {
+        self.fbi.lfb_mode & (lfb_mode::SWIZZLE_BYTES | lfb_mode::SWAP_WORDS) != 0
+    }
+
+    /// Exchanges bytes and half words of what was written as the board would
+    /// have. The untouched memory goes the same way, so that a store of half a
+    /// word changes the pixel it ends up in.
+    fn swizzle(&self, lock: &mut Lock) {
+        if self.swizzles() {
+            for word in lock.memory.iter_mut().chain(&mut lock.shadow) {
+                *word = self.swizzled(*word);
+            }
+        }
+    }
+
+    /// As [`Board::swizzle`] for a row of pixels from column `x` on: columns
+    /// and values, in order. Pixels of two bytes are stored one by one.
+    fn swizzle_row(&self, x: u32, wide: bool, values: &[u32]) -> Vec<(u32, u32)> {
+        let columns = (x..).zip(values.iter().copied());
+        if wide {
+            return columns.map(|(x, value)| (x, self.swizzled(value))).collect();
+        }
+        let mut row: Vec<(u32, u32)> = columns
+            .map(|(x, value)| {
+                let half = 16 * (x & 1);
+                // Which half the store ends up in.
+                let to = 16 * u32::from(self.swizzled(0xffff << half) > 0xffff);
+                (x & !1 | to >> 4, self.swizzled(value << half) >> to & 0xffff)
+            })
+            .collect();
+        row.sort_unstable_by_key(|&(x, _)| x);
+        row
     }
 
     /// Carries out the changes of a write lock, row by row.
@@ -305,7 +351,21 @@ impl Board {
             .collect();
         let depths: Vec<u16> = all.map(|p| p.depth.unwrap_or(depth)).collect();
         let (x, y) = (x as u32, y as u32);
-        self.device.draw_pixels(&PixelRun { x, y, colors: &colors, depths: &depths });
+        let passes = match self.stipple_rotates() {
+            true => self.stipple_fragments(x, y, colors.len()),
+            false => vec![true; colors.len()],
+        };
+        // Runs that the stipple lets through; all in one where there is none.
+        let mut start = 0;
+        for run in passes.chunk_by(|a, b| a == b) {
+            let range = start..start + run.len();
+            start = range.end;
+            if run[0] {
+                let x = x + range.start as u32;
+                let (colors, depths) = (&colors[range.clone()], &depths[range]);
+                self.device.draw_pixels(&PixelRun { x, y, colors, depths });
+            }
+        }
         self.fbi.fbz_mode = kept;
         self.dirty = true;
     }
@@ -380,9 +440,90 @@ impl Board {
                     pixel.iter().rev().fold(0, |value, &byte| value << 8 | u32::from(byte))
                 })
                 .collect();
-            self.write_raw(buffer, format, (x, y + row as u32), &values);
+            let y = y + row as u32;
+            if !self.swizzles() {
+                self.write_raw(buffer, format, (x, y), &values);
+                continue;
+            }
+            for (x, value) in self.swizzle_row(x, bytes == 4, &values) {
+                if x < columns {
+                    self.write_raw(buffer, format, (x, y), &[value]);
+                }
+            }
         }
         true
+    }
+
+    /// Writes a rectangle of 16-bit pixels as the calls before 2.4 do: through
+    /// the pointer that `grLfbGetWritePtr` gave, with the settings of its time.
+    /// Columns and rows outside the screen are left out.
+    ///
+    /// Source: G22, `guFbWriteRegion`; 2.4 has its name only.
+    pub(crate) fn write_old_region(
+        &mut self,
+        buffer: i32,
+        (x, y): (i32, i32),
+        (width, height): (i32, i32),
+        stride: usize,
+        data: &[u8],
+    ) -> bool {
+        let held = self.lfb.write.as_ref().is_some_and(|lock| lock.buffer == buffer);
+        let OldState { mode, origin, pipeline } = self.lfb.old;
+        let mode = if pixel_bytes(mode) == Some(2) { mode } else { LFBWRITEMODE_ANY };
+        if !held && self.lock(LFB_WRITE_ONLY, buffer, mode, origin, pipeline).is_none() {
+            return false;
+        }
+        let columns = self.buffers.as_ref().map_or(0, |buffers| buffers.width as usize);
+        let lock = self.lfb.write.as_mut().filter(|lock| !lock.is_wide());
+        let Some(memory) = lock.map(|lock| &mut lock.memory) else { return false };
+        let rows = memory.len() * 2 / ROW_PIXELS;
+        for to in y.max(0)..y.saturating_add(height).min(rows as i32) {
+            let row = to.abs_diff(y) as usize;
+            let to = to as usize;
+            let line = data.get(row.saturating_mul(stride)..).unwrap_or_default();
+            let pixels = line.as_chunks().0.iter().take(width.max(0) as usize);
+            for (column, &pixel) in (i64::from(x)..).zip(pixels) {
+                let column = usize::try_from(column).ok().filter(|&column| column < columns);
+                let Some(at) = column.map(|column| to * ROW_PIXELS + column) else { continue };
+                let pixel = u32::from(u16::from_le_bytes(pixel));
+                let half = 16 * (at & 1);
+                memory[at / 2] = replace(memory[at / 2], 0xffff << half, pixel << half);
+            }
+        }
+        held || self.unlock(LFB_WRITE_ONLY, buffer)
+    }
+
+    /// Reads a rectangle of 16-bit pixels as the calls before 2.4 do, rows
+    /// without gaps: through the pointer that `grLfbGetReadPtr` gave, or from
+    /// the buffer. Pixels outside the screen read as 0.
+    pub(crate) fn read_old_region(
+        &mut self,
+        buffer: i32,
+        (x, y): (i32, i32),
+        (width, height): (i32, i32),
+    ) -> Option<Vec<u16>> {
+        let held = self.lfb.read.as_ref().is_some_and(|lock| lock.buffer == buffer);
+        let origin = self.lfb.old.origin;
+        if !held {
+            self.lock(LFB_READ_ONLY, buffer, LFBWRITEMODE_ANY, origin, false)?;
+        }
+        let columns = self.buffers.as_ref().map_or(0, |buffers| buffers.width as usize);
+        let memory = self.lfb.read.as_ref().map_or(&[][..], |lock| &lock.memory[..]);
+        let rows = memory.len() * 2 / ROW_PIXELS;
+        let pixel = |x: i32, y: i32| {
+            let x = usize::try_from(x).ok().filter(|&x| x < columns)?;
+            let y = usize::try_from(y).ok().filter(|&y| y < rows)?;
+            Some(Lock::get(memory, false, x, y) as u16)
+        };
+        let limit = |length: i32| length.clamp(0, ROW_PIXELS as i32);
+        let (width, height) = (limit(width), limit(height));
+        let all = (0..height).flat_map(|row| (0..width).map(move |column| (column, row)));
+        let at = |from: i32, by: i32| from.saturating_add(by);
+        let pixels = all.map(|(c, r)| pixel(at(x, c), at(y, r)).unwrap_or(0)).collect();
+        if !held {
+            self.unlock(LFB_READ_ONLY, buffer);
+        }
+        Some(pixels)
     }
 
     /// Reads a rectangle as 16-bit elements, rows from the top, without gaps.
@@ -393,7 +534,7 @@ impl Board {
         (x, y): (u32, u32),
         (width, height): (u32, u32),
     ) -> Option<Vec<u16>> {
-        let surface = self.surface_of(buffer)?;
+        let surface = self.surface_of(buffer).filter(|_| !self.card.interleaved)?;
         let (width, height) = (width.min(ROW_PIXELS as u32), height.min(ROW_PIXELS as u32));
         let mut pixels = vec![0; (width * height) as usize];
         let rect = Rect::new(x, y, x.saturating_add(width), y.saturating_add(height));

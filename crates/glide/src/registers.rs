@@ -109,6 +109,14 @@ pub mod texture_mode {
     pub const COLOR_UNIT: u32 = 12;
     pub const ALPHA_UNIT: u32 = 21;
     pub const TRILINEAR: u32 = 1 << 30;
+    pub const COLOR_UNIT_MASK: u32 = super::unit::ALL << COLOR_UNIT;
+    pub const ALPHA_UNIT_MASK: u32 = super::unit::ALL << ALPHA_UNIT;
+}
+
+/// Bits of lfbMode.
+pub mod lfb_mode {
+    pub const SWAP_WORDS: u32 = 1 << 11;
+    pub const SWIZZLE_BYTES: u32 = 1 << 12;
 }
 
 /// Bits of tLOD.

@@ -72,7 +72,11 @@ impl Board {
             let lods = own.small_lod << 8 | own.large_lod;
             [own.mip_map_mode as u32, lods].into_iter().for_each(|w| out.put(w));
         }
-        debug_assert!(out.at <= STATE_BYTES, "three units take 240 bytes");
+        for unit in 0..self.tmus.len() {
+            // One more than the handle, so that zeros name none.
+            out.put(self.mip_maps.current(unit).map_or(0, |id| id + 1));
+        }
+        debug_assert!(out.at <= STATE_BYTES, "three units take 252 bytes");
         out.bytes
     }
 
@@ -124,6 +128,9 @@ impl Board {
             let (mip_map_mode, lods) = (from.take() as i32, from.take());
             let (small_lod, large_lod) = ((lods >> 8 & 0xff).min(8), (lods & 0xff).min(8));
             self.settings.units[unit] = UnitSettings { mip_map_mode, small_lod, large_lod };
+        }
+        for unit in 0..self.tmus.len() {
+            self.mip_maps.set_current(unit, from.take().checked_sub(1));
         }
         self.dirty = true;
         true

@@ -31,6 +31,24 @@ impl TextureInfo {
     }
 }
 
+/// The bits of tLOD that say a texture's shape and which levels it has.
+pub(crate) fn shape_bits(aspect: i32, even_odd: u32) -> u32 {
+    let (aspect, wide) = layout::aspect_bits(aspect);
+    let split = match even_odd {
+        LEVELS_EVEN => t_lod::SPLIT,
+        LEVELS_ODD => t_lod::SPLIT | t_lod::ODD,
+        _ => 0,
+    };
+    let wide = if wide { t_lod::S_IS_WIDER } else { 0 };
+    split | wide | aspect << t_lod::ASPECT
+}
+
+/// A level bias as six bits of quarters, truncated toward zero after adding an
+/// eighth.
+pub(crate) fn lod_bias_quarters(bias: f32) -> u32 {
+    ((bias + 0.125) / 0.25) as i32 as u32 & 0x3f
+}
+
 impl Board {
     fn mode(&mut self, unit: usize, bit: u32, on: bool) {
         let mode = &mut self.tmus[unit].texture_mode;
@@ -54,15 +72,8 @@ impl Board {
         tmu.texture_mode = replace(tmu.texture_mode, 15 << texture_mode::FORMAT, format)
             | texture_mode::PERSPECTIVE
             | texture_mode::CLAMP_W;
-        let (aspect, wide) = layout::aspect_bits(info.aspect);
-        let split = match even_odd {
-            LEVELS_EVEN => t_lod::SPLIT,
-            LEVELS_ODD => t_lod::SPLIT | t_lod::ODD,
-            _ => 0,
-        };
-        let wide = if wide { t_lod::S_IS_WIDER } else { 0 };
         let kept = tmu.t_lod & (63 << 12 | t_lod::MULTIBASE);
-        tmu.t_lod = kept | split | wide | aspect << t_lod::ASPECT;
+        tmu.t_lod = kept | shape_bits(info.aspect, even_odd);
         tmu.base[0] = layout::base_address(start, large, info.aspect, info.format, even_odd) >> 3;
         self.update_lod_range(unit);
     }
@@ -129,11 +140,9 @@ impl Board {
         true
     }
 
-    /// Quarters, truncated toward zero after adding an eighth.
     pub(crate) fn set_lod_bias(&mut self, unit: usize, bias: f32) {
-        let quarters = ((bias + 0.125) / 0.25) as i32 as u32 & 0x3f;
         let tmu = &mut self.tmus[unit];
-        tmu.t_lod = replace(tmu.t_lod, 0x3f << 12, quarters << 12);
+        tmu.t_lod = replace(tmu.t_lod, 0x3f << 12, lod_bias_quarters(bias) << 12);
         self.dirty = true;
     }
 
@@ -195,12 +204,39 @@ impl Board {
         let bytes = (last.saturating_sub(first) * pitch) as usize;
         let used = bytes.min(data.len());
         if layout::is_selected(even_odd, lod) {
-            let large = info.large_lod as u32;
-            let base = layout::base_address(start, large, info.aspect, info.format, even_odd);
-            let level = base.wrapping_add(layout::offset(info.aspect, lod, info.format, even_odd));
+            let level = level_address(start, lod, info, even_odd);
             self.memories[unit].write(level.wrapping_add(first * pitch), &data[..used]);
             self.dirty = true;
         }
         used
     }
+
+    /// Stores the first 16-bit texels of a row of a level.
+    pub(crate) fn download_row_start(
+        &mut self,
+        unit: usize,
+        start: u32,
+        lod: u32,
+        info: &TextureInfo,
+        even_odd: u32,
+        row: u32,
+        texels: &[u16],
+    ) {
+        let (width, height) = layout::size(info.aspect, lod);
+        if row >= height || !layout::is_selected(even_odd, lod) {
+            return;
+        }
+        let texels = texels.iter().take(width as usize);
+        let bytes: Vec<u8> = texels.flat_map(|texel| texel.to_le_bytes()).collect();
+        let level = level_address(start, lod, info, even_odd);
+        self.memories[unit].write(level.wrapping_add(row * width * 2), &bytes);
+        self.dirty = true;
+    }
+}
+
+/// Where a level of a texture at `start` lies, wrapping.
+fn level_address(start: u32, lod: u32, info: &TextureInfo, even_odd: u32) -> u32 {
+    let large = info.large_lod as u32;
+    let base = layout::base_address(start, large, info.aspect, info.format, even_odd);
+    base.wrapping_add(layout::offset(info.aspect, lod, info.format, even_odd))
 }

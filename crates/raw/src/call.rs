@@ -82,6 +82,38 @@ value_enum! {
         36 => Reset {},
         /// Stops the device.
         37 => Halt {},
+        /// One word to the device, as it is.
+        38 => SendWord { word: u32 },
+        /// A record for the host interface, by its name; or text for its log.
+        39 => Meta { text: String },
+        /// Asks for the next word that came back.
+        40 => ReadWord {},
+        /// What the vertices of a primitive make up. This and all that follow: beyond the thesis.
+        41 => SetPrimitive { kind: u32 },
+        /// What is done at the borders of the view.
+        42 => SetClip { planes: u32 },
+        /// How levels of a texture are used.
+        43 => SetMipMap { mode: u32 },
+        /// The side of a point in pixels.
+        44 => SetPointSize { pixels: u32 },
+        /// Keeps a vertex with the current colour and normal.
+        45 => StoreVertex { index: u32, x: f32, y: f32, z: f32, u: f32, v: f32 },
+        /// Adds a kept vertex to the primitive; only in a scene.
+        46 => Index { index: u32 },
+        /// A further light.
+        47 => Light { number: u32, rgbi: u32, x: f32, y: f32, z: f32 },
+        /// Highlights.
+        48 => Specular { rgbi: u32, exponent: u32 },
+        /// Where the viewer stands.
+        49 => Eye { x: f32, y: f32, z: f32 },
+        /// Allocates a texture with all its levels; the device answers with its id.
+        50 => AllocateMipMapped { width: u32, height: u32 },
+        /// Makes the levels of a texture from its finest one.
+        51 => MakeMipMaps { id: u32 },
+        /// Changes the resolution.
+        52 => Resize { width: u32, height: u32 },
+        /// Resets the device whatever it is doing, and the client with it.
+        53 => AsyncReset {},
     }
 }
 
@@ -119,6 +151,14 @@ impl Call {
             Call::Vertex { .. } | Call::EndScene {} | Call::EndPrim {} | Call::BeginPrim {} => {
                 Place::Scene
             }
+            Call::SendWord { .. } | Call::Meta { .. } | Call::ReadWord {} => Place::Anywhere,
+            Call::Index { .. } => Place::Scene,
+            Call::SetPrimitive { .. } | Call::SetClip { .. } | Call::SetMipMap { .. } => {
+                Place::Anywhere
+            }
+            Call::SetPointSize { .. } | Call::StoreVertex { .. } => Place::Anywhere,
+            Call::Light { .. } | Call::Specular { .. } | Call::Eye { .. } => Place::Anywhere,
+            Call::AsyncReset {} => Place::Anywhere,
             Call::Init {} | Call::Color { .. } | Call::ModelMatrix { .. } => Place::Anywhere,
             Call::ViewMatrix { .. } | Call::Normal { .. } | Call::Set { .. } => Place::Anywhere,
             Call::ColTexBalance { .. } | Call::AlphaThresh { .. } => Place::Anywhere,
@@ -134,6 +174,7 @@ impl Call {
         let f = |v: &f32| v.to_bits();
         match self {
             Call::Init {} | Call::BeginPrim {} | Call::EndPrim {} => {}
+            Call::SendWord { .. } | Call::Meta { .. } | Call::ReadWord {} => {}
             Call::BeginScene {} => out.push(1),
             Call::EndScene {} => out.push(2),
             Call::Vertex { x, y, z, u, v } => out.extend([3, f(x), f(y), f(z), f(u), f(v)]),
@@ -179,6 +220,29 @@ impl Call {
             Call::ReadZBlock { x, y, count } => out.extend([45, *x, *y, *count]),
             Call::Reset {} => out.push(46),
             Call::Halt {} => out.push(47),
+            _ => self.fixed_beyond(out),
+        }
+    }
+
+    fn fixed_beyond(&self, out: &mut Vec<u32>) {
+        let f = |v: &f32| v.to_bits();
+        match self {
+            Call::SetPrimitive { kind } => out.extend([64, *kind]),
+            Call::SetClip { planes } => out.extend([65, *planes]),
+            Call::SetMipMap { mode } => out.extend([66, *mode]),
+            Call::SetPointSize { pixels } => out.extend([67, *pixels]),
+            Call::StoreVertex { index, x, y, z, u, v } => {
+                out.extend([68, *index, f(x), f(y), f(z), f(u), f(v)]);
+            }
+            Call::Index { index } => out.extend([69, *index]),
+            Call::Light { number, rgbi, x, y, z } => {
+                out.extend([70, *number, *rgbi, f(x), f(y), f(z)]);
+            }
+            Call::Specular { rgbi, exponent } => out.extend([71, *rgbi, *exponent]),
+            Call::Eye { x, y, z } => out.extend([72, f(x), f(y), f(z)]),
+            Call::AllocateMipMapped { width, height } => out.extend([73, *width, *height]),
+            Call::MakeMipMaps { id } => out.extend([74, *id]),
+            Call::Resize { width, height } => out.extend([75, *width, *height]),
             _ => {}
         }
     }
@@ -186,8 +250,10 @@ impl Call {
     /// Number of words the device answers with.
     pub fn answers(&self, in_scene: bool) -> u32 {
         match self {
+            Call::ReadWord {} => 1,
             _ if in_scene => 0,
-            Call::AllocateTexture { .. } | Call::TexMemAvail {} => 1,
+            Call::AllocateTexture { .. } | Call::AllocateMipMapped { .. } => 1,
+            Call::TexMemAvail {} => 1,
             Call::ReadFb { .. } | Call::ReadZ { .. } => 1,
             Call::ReadFbBlock { count, .. } | Call::ReadZBlock { count, .. } => *count,
             _ => 0,

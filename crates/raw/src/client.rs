@@ -7,7 +7,7 @@ use crate::color::pack;
 use crate::errata::Errata;
 use crate::matrix::{self, IDENTITY, Matrix};
 use crate::opcode::Opcode;
-use crate::protocol::Record;
+use crate::protocol::{Record, padded};
 
 /// Turns calls into records, keeping what the client library kept: whether a scene is open, and
 /// the projection and camera matrices.
@@ -18,12 +18,21 @@ pub struct Client {
     camera: Matrix,
     errata: Errata,
     records: Vec<Record>,
+    /// The last record announced text for the log.
+    text_follows: bool,
 }
 
 impl Client {
     /// A fresh client.
     pub fn new(errata: Errata) -> Self {
-        Self { in_scene: false, projection: IDENTITY, camera: IDENTITY, errata, records: vec![] }
+        Self {
+            in_scene: false,
+            projection: IDENTITY,
+            camera: IDENTITY,
+            errata,
+            records: Vec::new(),
+            text_follows: false,
+        }
     }
 
     /// Whether a scene is open.
@@ -52,6 +61,12 @@ impl Client {
             Call::EndScene {} if self.in_scene => self.end_scene(),
             Call::BeginPrim {} if self.in_scene => self.meta(Record::Prim),
             Call::EndPrim {} if self.in_scene => self.send(&[0]),
+            Call::AsyncReset {} => {
+                self.meta(Record::AsyncReset);
+                self.call(&Call::Init {});
+            }
+            Call::SendWord { word } => self.send(&[*word]),
+            Call::Meta { text } => self.text(text),
             _ if words.is_empty() => {}
             _ if self.in_scene => {
                 self.send(&[words.len() as u32]);
@@ -59,6 +74,17 @@ impl Client {
             }
             _ => self.command(call, &words),
         }
+    }
+
+    /// A record by its name; what follows a debug record, and what is no record, goes as text.
+    fn text(&mut self, text: &str) {
+        let text_follows = std::mem::take(&mut self.text_follows);
+        let record = match Record::from_text(text) {
+            Ok(record) if !text_follows => record,
+            _ => Record::Text(padded(text)),
+        };
+        self.text_follows = record == Record::Debug;
+        self.meta(record);
     }
 
     fn send(&mut self, words: &[u32]) {
@@ -123,8 +149,13 @@ impl Client {
 
     /// Sets the camera and sends the new view matrix.
     pub fn set_camera(&mut self, eye: [f32; 3], focus: [f32; 3], up: [f32; 3]) {
-        self.camera = matrix::camera(eye, focus, up, self.errata.camera_axes_scaled);
+        self.camera = self.camera_matrix(eye, focus, up);
         self.update_matrices();
+    }
+
+    /// A camera at `eye` that looks at `focus`, with `up` a point upwards.
+    pub fn camera_matrix(&self, eye: [f32; 3], focus: [f32; 3], up: [f32; 3]) -> Matrix {
+        matrix::camera(eye, focus, up, self.errata.camera_axes_scaled)
     }
 
     /// Sends projection times camera as the view matrix.

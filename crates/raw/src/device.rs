@@ -18,7 +18,7 @@ use crate::stream::{SceneEvent, SceneReader};
 use crate::texture::{self, TextureManager};
 
 /// Faults kept for [`Device::take_faults`]; later ones are only counted.
-const MAX_FAULTS: usize = 256;
+pub(crate) const MAX_FAULTS: usize = 256;
 
 /// The word that says "ready": at boot, on entering a scene and on leaving it.
 pub const READY: u32 = 1;
@@ -36,6 +36,8 @@ pub struct Config {
     pub texture_entries: usize,
     /// Which errors of the thesis to keep.
     pub errata: Errata,
+    /// Whether commands beyond the thesis are known.
+    pub beyond: bool,
 }
 
 /// The largest width and height a device accepts.
@@ -49,6 +51,7 @@ impl Default for Config {
             texture_bytes: texture::DEFAULT_MEMORY,
             texture_entries: texture::DEFAULT_ENTRIES,
             errata: Errata::CORRECT,
+            beyond: true,
         }
     }
 }
@@ -88,6 +91,10 @@ impl Replies {
     }
 }
 
+fn initial_state(config: &Config) -> RenderState {
+    RenderState { thesis_only: !config.beyond, ..RenderState::default() }
+}
+
 /// Everything commands act on: state, textures, buffers. Shared with the simulator.
 #[derive(Clone, Debug)]
 pub struct Core {
@@ -107,7 +114,7 @@ impl Core {
         let config = config.sized(config.width, config.height);
         Self {
             config,
-            state: RenderState::default(),
+            state: initial_state(&config),
             textures: TextureManager::new(
                 config.texture_bytes,
                 config.texture_entries,
@@ -135,6 +142,11 @@ impl Core {
             Opcode::TexMemAvail => replies.push(self.textures.available(), 1),
             Opcode::CompactTexMem => self.textures.compact(),
             Opcode::Reset => self.reset(),
+            Opcode::AllocateMipMapped => {
+                replies.push(self.textures.allocate_mipmapped(p[0], p[1]), 1);
+            }
+            Opcode::MakeMipMaps => self.textures.make_levels(p[0]),
+            Opcode::Resize => self.resize(p[0], p[1]),
             _ => self.access_buffers(op, p, replies),
         }
     }
@@ -173,6 +185,23 @@ impl Core {
         replies.push(0, count - inside);
     }
 
+    /// Changes the resolution; sizes no device has are ignored.
+    fn resize(&mut self, width: u32, height: u32) {
+        if (1..=MAX_SIZE).contains(&width) && (1..=MAX_SIZE).contains(&height) {
+            self.config = self.config.sized(width, height);
+            let pages = self.target.pages;
+            self.target = Target { pages, ..Target::new(width, height) };
+        }
+    }
+
+    /// The fault of a command whose parameters `p` name a texture that does not exist.
+    pub(crate) fn texture_fault(&self, op: Opcode, p: &[u32], offset: u64) -> Option<StreamError> {
+        let names =
+            matches!(op, Opcode::UploadTexture | Opcode::DeallocTexture | Opcode::MakeMipMaps);
+        let id = *p.first().filter(|_| names)?;
+        self.textures.get(id).is_none().then_some(StreamError::Texture { id, offset })
+    }
+
     /// Takes data word number `index` of the block command `op` with the parameters `p`.
     pub fn block_word(&mut self, op: Opcode, p: &[u32], index: u32, word: u32) {
         let offset = u64::from(index);
@@ -193,7 +222,7 @@ impl Core {
 
     /// The reset command: everything but the frame-buffer contents goes back to its default.
     pub fn reset(&mut self) {
-        self.state = RenderState::default();
+        self.state = initial_state(&self.config);
         self.textures.reset();
         self.target.pages = Pages::BACK;
         self.target.depth.clear();
@@ -219,6 +248,7 @@ pub struct Device<O = ()> {
     replies: Replies,
     faults: Vec<StreamError>,
     offset: u64,
+    fragments: u64,
     observer: O,
 }
 
@@ -241,6 +271,7 @@ impl<O: Observer> Device<O> {
             replies,
             faults: Vec::new(),
             offset: 0,
+            fragments: 0,
             observer,
         }
     }
@@ -248,6 +279,11 @@ impl<O: Observer> Device<O> {
     /// State, textures and buffers.
     pub fn core(&self) -> &Core {
         &self.core
+    }
+
+    /// State, textures and buffers, without the device.
+    pub fn into_core(self) -> Core {
+        self.core
     }
 
     /// State, textures and buffers, for set-up from outside the command stream.
@@ -273,6 +309,16 @@ impl<O: Observer> Device<O> {
     /// Whether the device was halted, or hung as the listing would.
     pub fn is_halted(&self) -> bool {
         matches!(self.mode, Mode::Halted)
+    }
+
+    /// Words pushed so far: the place of the next one in the stream.
+    pub fn words(&self) -> u64 {
+        self.offset
+    }
+
+    /// Fragments made so far.
+    pub fn fragments(&self) -> u64 {
+        self.fragments
     }
 
     /// Takes the next reply word, if one is waiting.
@@ -315,7 +361,7 @@ impl<O: Observer> Device<O> {
     fn opcode(&mut self, word: u32) {
         self.mode = Mode::Command;
         self.params.clear();
-        match Opcode::in_command_mode(word) {
+        match Opcode::in_command_mode(word).filter(|op| self.core.state.allows(*op)) {
             None => self.fault(StreamError::Opcode { word, offset: self.offset, mode: "command" }),
             Some(op) if op.inputs() == 0 => self.run(op),
             Some(op) => self.mode = Mode::Params(op),
@@ -337,20 +383,13 @@ impl<O: Observer> Device<O> {
             }
             Opcode::Halt => self.mode = Mode::Halted,
             _ => {
-                self.check_texture(op);
+                if let Some(fault) = self.core.texture_fault(op, &self.params, self.offset) {
+                    self.fault(fault);
+                }
                 self.core.execute(op, &self.params, &mut self.replies);
                 if let Some(at) = op.data_length_at() {
                     self.block(op, 0, self.params[at]);
                 }
-            }
-        }
-    }
-
-    fn check_texture(&mut self, op: Opcode) {
-        if matches!(op, Opcode::UploadTexture | Opcode::DeallocTexture) {
-            let id = self.params[0];
-            if self.core.textures.get(id).is_none() {
-                self.fault(StreamError::Texture { id, offset: self.offset });
             }
         }
     }
@@ -383,17 +422,27 @@ impl<O: Observer> Device<O> {
         self.mode = Mode::Scene(reader);
     }
 
-    fn primitive(&mut self, vertices: &[InputVertex; 3]) {
+    fn primitive(&mut self, vertices: &[InputVertex]) {
         let errata = self.core.config.errata;
         let mut info = self.core.state.prim;
         let unordered = ordering::is_unordered(info.mode, vertices, &errata);
         info.seq_num = ordering::number(&mut self.core.state, unordered, &errata).seq_num;
         info.mode.set_out_of_order(u32::from(unordered));
-        let (prim, work) = geometry::process(&mut self.core.state, info, vertices, &errata);
-        self.observer.primitive(&prim, &work);
+        let (parts, work) = geometry::process(&mut self.core.state, info, vertices, &errata);
+        self.observer.primitive(&work);
         if work.visible {
-            self.draw(&prim);
+            parts.iter().for_each(|part| self.draw(part));
         }
+    }
+
+    /// Back to the state after power-on, whatever the device is doing; the frame buffer keeps its
+    /// contents. The ready word waits for the host. Beyond the thesis.
+    pub fn reset_now(&mut self) {
+        self.core.reset();
+        self.mode = Mode::Command;
+        self.params.clear();
+        self.replies = Replies::default();
+        self.replies.push(READY, 1);
     }
 
     /// Draws a transformed primitive: stages 2 to 4 for each of its fragments.
@@ -402,6 +451,7 @@ impl<O: Observer> Device<O> {
         let mut walker = Rasterizer::new(&stage2_view(prim, &errata), width, height, &errata);
         self.observer.setup(walker.needs());
         while let Some(fragment) = walker.next() {
+            self.fragments += 1;
             let textured = combine::process(&self.core.textures, &prim.info, &fragment, &errata);
             self.observer.fragment(&prim.info, walker.take_work(), &textured);
             let drawn = &textured.fragment;

@@ -29,6 +29,26 @@ macro_rules! errata {
             /// The names of all switches that stand for an error, in the order of the listing.
             pub const NAMES: &'static [&'static str] = &[$(stringify!($name),)+];
 
+            /// The preset of that name: `correct` or `faithful`.
+            pub fn by_name(name: &str) -> Option<Self> {
+                match name {
+                    "correct" => Some(Self::CORRECT),
+                    "faithful" => Some(Self::FAITHFUL),
+                    _ => None,
+                }
+            }
+
+            /// The name of this preset; `other` where single switches differ.
+            pub fn name(&self) -> &'static str {
+                if *self == Self::CORRECT {
+                    "correct"
+                } else if *self == Self::FAITHFUL {
+                    "faithful"
+                } else {
+                    "other"
+                }
+            }
+
             /// Sets the switch of that name. Returns false when there is none.
             pub fn set(&mut self, name: &str, keep: bool) -> bool {
                 match name {

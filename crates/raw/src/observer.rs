@@ -1,7 +1,7 @@
 //! Watching the single-tile renderer work, for the cost model.
 
 use crate::opcode::Opcode;
-use crate::stage::TransPrim;
+use crate::protocol::Record;
 use crate::stage::combine::Textured;
 use crate::stage::composite::Outcome;
 use crate::stage::geometry::GeometryWork;
@@ -12,10 +12,16 @@ use crate::state::{ModeBits, PrimInfo};
 pub trait Observer {
     /// A word was read from the host.
     fn word(&mut self) {}
+    /// A meta record for the host interface arrived.
+    fn meta(&mut self, _record: Record) {}
+    /// The counters as the simulator printed them, if this observer counts.
+    fn report(&mut self) -> Option<String> {
+        None
+    }
     /// A command was carried out.
     fn command(&mut self, _op: Opcode) {}
     /// Stage 1 finished a primitive, visible or not.
-    fn primitive(&mut self, _prim: &TransPrim, _work: &GeometryWork) {}
+    fn primitive(&mut self, _work: &GeometryWork) {}
     /// Stage 2 set a visible primitive up.
     fn setup(&mut self, _needs: Interpolants) {}
     /// Stages 2 and 3 made a fragment; `work` is the walking since the fragment before.

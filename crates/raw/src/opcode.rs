@@ -1,6 +1,8 @@
-//! The 47 commands of the device, with their sizes and the modes they are legal in.
+//! The 47 commands of the device, with their sizes and the modes they are legal in, and those that
+//! go beyond the thesis, from [`FIRST_BEYOND`] on.
 //!
-//! Source: RAW, chapter 4 (command tables) and the command listings.
+//! Source: RAW, chapter 4 (command tables) and the command listings; chapter 6 for what lies
+//! beyond, with numbers of our own.
 
 /// Which of the two device modes a command may be used in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -22,8 +24,8 @@ macro_rules! opcodes {
         pub enum Opcode { $($(#[$doc])* $name = $value,)+ }
 
         impl Opcode {
-            /// Every opcode in ascending order.
-            pub const ALL: [Opcode; 47] = [$(Opcode::$name,)+];
+            /// Every opcode in ascending order: those of the thesis, then those beyond it.
+            pub const ALL: &'static [Opcode] = &[$(Opcode::$name,)+];
 
             /// Decodes an opcode word, if there is such a command.
             pub const fn from_word(word: u32) -> Option<Self> {
@@ -148,9 +150,41 @@ opcodes! {
     Reset = 46, "RENDER_RESET", Command, 0, 0;
     /// Stops the device for good.
     Halt = 47, "RENDER_HALT", Command, 0, 0;
+    /// What the vertices of a primitive make up, see [`crate::state::topology`].
+    SetPrimitive = 64, "RENDERX_SET_PRIMITIVE", Both, 1, 0;
+    /// What is done where a primitive leaves the view, see [`crate::state::clip`].
+    SetClip = 65, "RENDERX_SET_CLIP", Both, 1, 0;
+    /// How levels of a texture are used, see [`crate::state::mipmap`].
+    SetMipMap = 66, "RENDERX_SET_MIPMAP", Both, 1, 0;
+    /// The side of a point in pixels, 1..=64.
+    SetPointSize = 67, "RENDERX_SET_POINTSIZE", Both, 1, 0;
+    /// Keeps a vertex with the current colour and normal: index, x, y, z, u, v.
+    StoreVertex = 68, "RENDERX_STORE_VERTEX", Both, 6, 0;
+    /// Adds a kept vertex to the primitive: index.
+    Index = 69, "RENDERX_INDEX", Scene, 1, 0;
+    /// A further light: number 1..=7, rgb and intensity, direction.
+    Light = 70, "RENDERX_LIGHT", Both, 5, 0;
+    /// Highlights: rgb and intensity of the surface, exponent 0..=255; exponent 0 for none.
+    Specular = 71, "RENDERX_SPECULAR", Both, 2, 0;
+    /// Where the viewer stands, in world space; for highlights.
+    Eye = 72, "RENDERX_EYE", Both, 3, 0;
+    /// Allocates a texture with all its levels; returns its id or -1.
+    AllocateMipMapped = 73, "RENDERX_ALLOCATE_MIPMAPPED", Command, 2, 1;
+    /// Makes the levels of a texture from its finest one.
+    MakeMipMaps = 74, "RENDERX_MAKE_MIPMAPS", Command, 1, 0;
+    /// Changes the resolution: width, height; both pages become black, depths far.
+    Resize = 75, "RENDERX_RESIZE", Command, 2, 0;
 }
 
+/// The first opcode beyond the thesis.
+pub const FIRST_BEYOND: u32 = 64;
+
 impl Opcode {
+    /// Whether the command goes beyond the thesis.
+    pub const fn is_beyond(self) -> bool {
+        self as u32 >= FIRST_BEYOND
+    }
+
     /// Decodes a word as a command that is legal in command mode.
     pub fn in_command_mode(word: u32) -> Option<Self> {
         Self::from_word(word).filter(|op| op.modes() != Modes::Scene)
@@ -180,7 +214,8 @@ mod tests {
     #[test]
     fn opcodes_are_dense_and_round_trip() {
         for (index, op) in Opcode::ALL.iter().enumerate() {
-            assert_eq!(*op as usize, index + 1);
+            let first = if op.is_beyond() { FIRST_BEYOND as usize - 47 } else { 1 };
+            assert_eq!(*op as usize, index + first);
             assert_eq!(Opcode::from_word(*op as u32), Some(*op));
         }
         assert_eq!(Opcode::from_word(0), None);

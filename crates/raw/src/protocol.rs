@@ -35,10 +35,14 @@ pub enum Record {
     Report,
     /// Zero the counters and stop counting.
     PerfReset,
+    /// Reset the device whatever it is doing. Beyond the thesis.
+    AsyncReset,
+    /// Text for the log: what follows [`Record::Debug`], byte for byte.
+    Text([u8; RECORD_BYTES]),
 }
 
 /// Names in the order in which prefixes are tried.
-const NAMES: [(&str, Record); 12] = [
+const NAMES: [(&str, Record); 13] = [
     ("wait", Record::Wait),
     ("halt", Record::Halt),
     ("read", Record::Read),
@@ -51,11 +55,12 @@ const NAMES: [(&str, Record); 12] = [
     ("pprim", Record::Prim),
     ("preport", Record::Report),
     ("preset", Record::PerfReset),
+    ("areset", Record::AsyncReset),
 ];
 
 /// A record that is neither a name nor a hexadecimal word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("malformed record {bytes:02x?}")]
+#[error("malformed record \"{}\"", bytes.escape_ascii())]
 pub struct MalformedRecord {
     /// The eleven bytes.
     pub bytes: [u8; RECORD_BYTES],
@@ -83,18 +88,37 @@ impl Record {
             .ok_or(MalformedRecord { bytes })
     }
 
+    /// Reads a record from text as a client writes it: cut to ten characters, padded with `*`.
+    ///
+    /// # Errors
+    /// As [`Record::parse`].
+    pub fn from_text(text: &str) -> Result<Self, MalformedRecord> {
+        Self::parse(padded(text))
+    }
+
     /// Writes a record.
     pub fn bytes(self) -> [u8; RECORD_BYTES] {
         let name = NAMES.iter().find(|(_, record)| *record == self);
         let text = match (self, name) {
+            (Record::Text(bytes), _) => return bytes,
             (Record::Data(word), _) => format!("0x{word:08x}"),
             (_, Some((name, _))) => format!("{name:*<10}"),
-            (_, None) => unreachable!("every record but data has a name"),
+            (_, None) => unreachable!("every record but data and text has a name"),
         };
         let mut out = [b'\n'; RECORD_BYTES];
         out[..RECORD_BYTES - 1].copy_from_slice(text.as_bytes());
         out
     }
+}
+
+/// Text as the eleven bytes of a record.
+pub fn padded(text: &str) -> [u8; RECORD_BYTES] {
+    let mut bytes = [b'*'; RECORD_BYTES];
+    bytes[RECORD_BYTES - 1] = b'\n';
+    for (to, from) in bytes.iter_mut().zip(text.bytes().take(RECORD_BYTES - 1)) {
+        *to = from;
+    }
+    bytes
 }
 
 #[cfg(test)]

@@ -2,10 +2,13 @@
 //!
 //! Source: RAW, render-state structures and defaults.
 
+use std::sync::Arc;
+
 use crate::color;
 use crate::errata::Errata;
 use crate::matrix::{self, IDENTITY, Matrix};
 use crate::opcode::Opcode;
+use crate::stage::InputVertex;
 
 /// How colour and texture are combined; the words 0..=6, and 7 which acts as 0.
 pub mod texmode {
@@ -45,6 +48,44 @@ pub mod textile {
     pub const MIRROR: u32 = 2;
     /// The edge texels continue.
     pub const CLAMP: u32 = 3;
+}
+
+/// What the vertices of a primitive make up; beyond the thesis but for the first.
+pub mod topology {
+    /// One triangle; further vertices are ignored.
+    pub const TRIANGLE: u32 = 0;
+    /// A triangle of every three vertices.
+    pub const TRIANGLES: u32 = 1;
+    /// A strip of triangles that share edges.
+    pub const STRIP: u32 = 2;
+    /// A fan of triangles that share the first vertex.
+    pub const FAN: u32 = 3;
+    /// A line of every two vertices.
+    pub const LINES: u32 = 4;
+    /// Lines from vertex to vertex.
+    pub const LINE_STRIP: u32 = 5;
+    /// Points; 7 acts as 6.
+    pub const POINTS: u32 = 6;
+}
+
+/// What is done where a primitive leaves the view; beyond the thesis but for the first.
+pub mod clip {
+    /// It is dropped whole.
+    pub const DROP: u32 = 0;
+    /// It is cut at the near plane.
+    pub const NEAR: u32 = 1;
+    /// It is cut at all six planes; 3 acts as 2.
+    pub const FRUSTUM: u32 = 2;
+}
+
+/// How the levels of a texture are used; beyond the thesis but for the first.
+pub mod mipmap {
+    /// The finest level alone.
+    pub const OFF: u32 = 0;
+    /// The nearest level.
+    pub const NEAREST: u32 = 1;
+    /// A blend of two levels; 3 acts as 2.
+    pub const BLEND: u32 = 2;
 }
 
 macro_rules! mode_bits {
@@ -99,6 +140,14 @@ mode_bits! {
     no_use_z set_no_use_z 17 1;
     /// 1 to skip the depth write.
     no_write_z set_no_write_z 18 1;
+    /// What the vertices make up, see [`topology`].
+    topology set_topology 19 3;
+    /// What happens at the borders of the view, see [`clip`].
+    clip set_clip 22 2;
+    /// How texture levels are used, see [`mipmap`].
+    mipmap set_mipmap 24 2;
+    /// 1 when further lights or highlights reach the primitive.
+    more_light set_more_light 26 1;
 }
 
 impl ModeBits {
@@ -109,7 +158,7 @@ impl ModeBits {
 
     /// Reads a mode word; bits above the fields are dropped.
     pub const fn from_word(word: u32) -> Self {
-        Self(word & 0x7_ffff)
+        Self(word & 0x7ff_ffff)
     }
 
     /// Whether anything of the primitive needs a depth.
@@ -145,7 +194,7 @@ impl Default for ModeBits {
     }
 }
 
-/// What travels down the pipe with each primitive: seven words.
+/// What travels down the pipe with each primitive: seven words in the thesis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PrimInfo {
     /// The mode word.
@@ -162,6 +211,8 @@ pub struct PrimInfo {
     pub amb_color: u32,
     /// Colour and intensity of the directional light.
     pub dir_color: u32,
+    /// The side of a point in pixels.
+    pub point_size: u32,
 }
 
 impl Default for PrimInfo {
@@ -174,7 +225,46 @@ impl Default for PrimInfo {
             alpha_thresh: 128,
             amb_color: 0,
             dir_color: 0,
+            point_size: 1,
         }
+    }
+}
+
+/// The largest side of a point in pixels.
+pub const MAX_POINT_SIZE: u32 = 64;
+/// Directional lights beside the first.
+pub const MORE_LIGHTS: usize = 7;
+/// Vertices that can be kept.
+pub const MAX_STORED: usize = 4096;
+
+/// A directional light beside the first.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Light {
+    /// Colour and intensity; intensity 0 is off.
+    pub rgbi: u32,
+    /// The direction in which it travels, in world space.
+    pub direction: [f32; 3],
+}
+
+/// State beyond the thesis.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Beyond {
+    /// Lights 1 to 7.
+    pub lights: [Light; MORE_LIGHTS],
+    /// Colour and intensity of highlights.
+    pub specular: u32,
+    /// How narrow highlights are, 0..=255; 0 for none.
+    pub exponent: u32,
+    /// Where the viewer stands.
+    pub eye: [f32; 3],
+    /// Kept vertices, shared by all copies of the state until one changes them.
+    pub stored: Arc<Vec<InputVertex>>,
+}
+
+impl Beyond {
+    /// Whether anything beyond the first light and the ambient term shines.
+    pub fn shines(&self) -> bool {
+        self.exponent > 0 || self.lights.iter().any(|light| color::low(light.rgbi) > 0)
     }
 }
 
@@ -207,6 +297,10 @@ pub struct RenderState {
     pub dir_defined: bool,
     /// The sequence number unordered primitives wait for.
     pub lagged_seq_num: u32,
+    /// State beyond the thesis.
+    pub beyond: Beyond,
+    /// Commands beyond the thesis are unknown opcodes.
+    pub thesis_only: bool,
 }
 
 /// Size of the state in words, as it crosses the memory network.
@@ -228,6 +322,8 @@ impl Default for RenderState {
             dir_reflect: 255,
             dir_defined: false,
             lagged_seq_num: 1,
+            beyond: Beyond::default(),
+            thesis_only: false,
         }
     }
 }
@@ -254,7 +350,7 @@ impl RenderState {
                 self.light = floats3(p);
                 self.dir_defined = true;
             }
-            _ => return self.set_mode(op, word),
+            _ => return self.set_mode(op, word) || self.set_beyond(op, p),
         }
         true
     }
@@ -275,9 +371,64 @@ impl RenderState {
             Opcode::SetTexTile => mode.set_textile(word),
             Opcode::SetNoUseZ => mode.set_no_use_z(word),
             Opcode::SetNoWriteZ => mode.set_no_write_z(word),
+            Opcode::SetPrimitive => mode.set_topology(word),
+            Opcode::SetClip => mode.set_clip(word),
+            Opcode::SetMipMap => mode.set_mipmap(word),
             _ => return false,
         }
         true
+    }
+
+    fn set_beyond(&mut self, op: Opcode, p: &[u32]) -> bool {
+        let word = |i: usize| p.get(i).copied().unwrap_or(0);
+        match op {
+            Opcode::SetPointSize => self.prim.point_size = word(0).clamp(1, MAX_POINT_SIZE),
+            Opcode::Eye => self.beyond.eye = floats3(p),
+            Opcode::Specular => {
+                self.beyond.specular = word(0);
+                self.beyond.exponent = word(1).min(255);
+            }
+            Opcode::Light => {
+                let direction = floats3(p.get(2..).unwrap_or(&[]));
+                let light = Light { rgbi: word(1), direction };
+                // Number 0 is the light of the thesis, which has commands of its own.
+                let place = (word(0) as usize).wrapping_sub(1);
+                if let Some(slot) = self.beyond.lights.get_mut(place) {
+                    *slot = light;
+                }
+            }
+            Opcode::StoreVertex => self.store(word(0) as usize, p.get(1..).unwrap_or(&[])),
+            _ => return false,
+        }
+        true
+    }
+
+    fn store(&mut self, index: usize, p: &[u32]) {
+        if index >= MAX_STORED {
+            return;
+        }
+        let vertex = self.latch(p);
+        let stored = Arc::make_mut(&mut self.beyond.stored);
+        if stored.len() <= index {
+            stored.resize(index + 1, InputVertex::default());
+        }
+        stored[index] = vertex;
+    }
+
+    /// Whether a command may be used: those beyond the thesis can be switched off.
+    pub fn allows(&self, op: Opcode) -> bool {
+        !(self.thesis_only && op.is_beyond())
+    }
+
+    /// A vertex with the current colour and normal from its five words.
+    pub fn latch(&self, p: &[u32]) -> InputVertex {
+        let f = |i: usize| f32::from_bits(p.get(i).copied().unwrap_or(0));
+        InputVertex {
+            position: [f(0), f(1), f(2)],
+            uv: [f(3), f(4)],
+            normal: self.normal,
+            rgba: self.rgba,
+        }
     }
 
     fn set_model(&mut self, model: Matrix, errata: &Errata) {

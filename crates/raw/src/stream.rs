@@ -5,7 +5,7 @@
 use crate::errata::Errata;
 use crate::error::StreamError;
 use crate::opcode::Opcode;
-use crate::stage::InputVertex;
+use crate::stage::{InputVertex, assembly};
 use crate::state::RenderState;
 
 /// What a word completed.
@@ -17,8 +17,8 @@ pub enum SceneEvent {
     State(Opcode),
     /// A vertex, latched with the current colour and normal.
     Vertex,
-    /// The end of a primitive with at least three vertices; later vertices were ignored.
-    Primitive(Box<[InputVertex; 3]>),
+    /// The end of a primitive with enough vertices for its kind.
+    Primitive(Vec<InputVertex>),
     /// The end of a primitive with fewer vertices: nothing is drawn.
     Empty,
     /// The end of the scene.
@@ -34,10 +34,12 @@ pub struct SceneReader {
     left: u32,
     command: Option<Opcode>,
     params: Vec<u32>,
-    vertices: [InputVertex; 3],
-    count: usize,
+    vertices: Vec<InputVertex>,
     ended: bool,
 }
+
+/// Vertices of one primitive; later ones are ignored.
+pub const MAX_VERTICES: usize = 4096;
 
 impl SceneReader {
     /// Whether the next word is the count of a block.
@@ -61,7 +63,7 @@ impl SceneReader {
         errata: &Errata,
     ) -> SceneEvent {
         if self.left == 0 {
-            return self.count_word(word, offset, errata);
+            return self.count_word(word, offset, state, errata);
         }
         self.left -= 1;
         let Some(op) = self.command else { return self.opcode(word, offset, state, errata) };
@@ -73,19 +75,27 @@ impl SceneReader {
         }
     }
 
-    fn count_word(&mut self, count: u32, offset: u64, errata: &Errata) -> SceneEvent {
+    fn count_word(
+        &mut self,
+        count: u32,
+        offset: u64,
+        state: &RenderState,
+        errata: &Errata,
+    ) -> SceneEvent {
         self.left = count;
         if count > 0 {
             return SceneEvent::More;
         }
-        let vertices = std::mem::take(&mut self.vertices);
-        let enough = std::mem::take(&mut self.count) >= vertices.len();
+        let mut vertices = std::mem::take(&mut self.vertices);
+        let topology = state.prim.mode.topology();
+        let enough = vertices.len() >= assembly::fewest(topology);
+        vertices.truncate(assembly::most(topology));
         let ended = std::mem::take(&mut self.ended);
         self.params.clear();
         match self.command.take() {
             Some(op) => SceneEvent::Fault(short_command(op, offset, errata)),
             None if ended => SceneEvent::EndScene,
-            None if enough => SceneEvent::Primitive(Box::new(vertices)),
+            None if enough => SceneEvent::Primitive(vertices),
             None => SceneEvent::Empty,
         }
     }
@@ -97,7 +107,8 @@ impl SceneReader {
         state: &mut RenderState,
         errata: &Errata,
     ) -> SceneEvent {
-        let Some(op) = Opcode::in_scene_mode(word) else {
+        let known = Opcode::in_scene_mode(word).filter(|op| state.allows(*op));
+        let Some(op) = known else {
             return SceneEvent::Fault(StreamError::Opcode { word, offset, mode: "scene" });
         };
         self.params.clear();
@@ -116,7 +127,12 @@ impl SceneReader {
                 SceneEvent::More
             }
             Opcode::Vertex => {
-                self.latch(state);
+                self.add(state.latch(&self.params));
+                SceneEvent::Vertex
+            }
+            Opcode::Index => {
+                let stored = state.beyond.stored.get(self.params[0] as usize);
+                self.add(stored.copied().unwrap_or_default());
                 SceneEvent::Vertex
             }
             _ => {
@@ -126,18 +142,10 @@ impl SceneReader {
         }
     }
 
-    fn latch(&mut self, state: &RenderState) {
-        let f = |i: usize| f32::from_bits(self.params[i]);
-        let vertex = InputVertex {
-            position: [f(0), f(1), f(2)],
-            uv: [f(3), f(4)],
-            normal: state.normal,
-            rgba: state.rgba,
-        };
-        if let Some(slot) = self.vertices.get_mut(self.count) {
-            *slot = vertex;
+    fn add(&mut self, vertex: InputVertex) {
+        if self.vertices.len() < MAX_VERTICES {
+            self.vertices.push(vertex);
         }
-        self.count = self.count.saturating_add(1);
     }
 }
 

@@ -2,6 +2,7 @@
 //!
 //! Source: RAW, texture-manager listing.
 
+use crate::color;
 use crate::errata::Errata;
 
 /// Texture memory in bytes, by default. The thesis does not record its value.
@@ -18,18 +19,38 @@ pub struct Texture {
     pub width: u32,
     /// Height in texels.
     pub height: u32,
+    /// Levels, at least 1; each has half the size of the one before, rounded down, at least 1.
+    pub levels: u32,
     begin: usize,
 }
 
 impl Texture {
     fn words(&self) -> usize {
-        self.width as usize * self.height as usize
+        (0..self.levels).map(|level| self.level_words(level)).sum()
+    }
+
+    fn level_words(&self, level: u32) -> usize {
+        let [width, height] = level_size(self.width, self.height, level);
+        width as usize * height as usize
+    }
+
+    /// A level as a texture of its own; the coarsest one where there are fewer.
+    pub fn level(&self, level: u32) -> Texture {
+        let level = level.min(self.levels - 1);
+        let [width, height] = level_size(self.width, self.height, level);
+        let skipped: usize = (0..level).map(|finer| self.level_words(finer)).sum();
+        Texture { width, height, levels: 1, begin: self.begin + skipped }
     }
 
     /// The word address of a texel; `x` and `y` are inside the texture.
     pub fn address(&self, x: u32, y: u32) -> usize {
         self.begin + x as usize + self.width as usize * y as usize
     }
+}
+
+/// Size of a level, the finest being 0.
+fn level_size(width: u32, height: u32, level: u32) -> [u32; 2] {
+    [width, height].map(|side| side.checked_shr(level).unwrap_or(0).max(1))
 }
 
 /// Texture memory and who owns which part of it.
@@ -86,14 +107,28 @@ impl TextureManager {
     /// Returns the lowest free id, or [`NO_TEXTURE`] when the table or the memory is full or a
     /// size is zero.
     pub fn allocate(&mut self, width: u32, height: u32) -> u32 {
-        let need = u64::from(width) * u64::from(height);
+        self.allocate_levels(width, height, 1)
+    }
+
+    /// As [`TextureManager::allocate`], with levels down to a single texel. Beyond the thesis.
+    pub fn allocate_mipmapped(&mut self, width: u32, height: u32) -> u32 {
+        let levels = 32 - width.max(height).max(1).leading_zeros();
+        self.allocate_levels(width, height, levels)
+    }
+
+    fn allocate_levels(&mut self, width: u32, height: u32, levels: u32) -> u32 {
+        let sizes = (0..levels).map(|level| level_size(width, height, level));
+        let need = match width.min(height) {
+            0 => 0,
+            _ => sizes.fold(0u64, |sum, [w, h]| sum.saturating_add(u64::from(w) * u64::from(h))),
+        };
         let slot = self.entries.iter().position(Option::is_none);
         let (Some(id), true) = (slot, need > 0 && need.saturating_mul(4) <= u64::from(self.free))
         else {
             return NO_TEXTURE;
         };
         let Some((rank, begin)) = self.find_gap(need as usize) else { return NO_TEXTURE };
-        self.entries[id] = Some(Texture { width, height, begin });
+        self.entries[id] = Some(Texture { width, height, levels, begin });
         self.order.insert(rank, id);
         self.free -= need as u32 * 4;
         id as u32
@@ -128,6 +163,28 @@ impl TextureManager {
         if let Some(texture) = self.get(id).filter(|t| index < t.words()) {
             self.memory[texture.begin + index] = texel;
         }
+    }
+
+    /// Makes the levels of a texture from its finest one: each texel is the average of up to four
+    /// of the level before, rounded to nearest. Bad ids are ignored. Beyond the thesis.
+    pub fn make_levels(&mut self, id: u32) {
+        let Some(texture) = self.get(id) else { return };
+        for level in 1..texture.levels {
+            let (from, to) = (texture.level(level - 1), texture.level(level));
+            for (x, y) in (0..to.height).flat_map(|y| (0..to.width).map(move |x| (x, y))) {
+                let texel = self.average(&from, x, y);
+                self.memory[to.address(x, y)] = texel;
+            }
+        }
+    }
+
+    fn average(&self, from: &Texture, x: u32, y: u32) -> u32 {
+        let column = |i: u32| (2 * x + i).min(from.width - 1);
+        let row = |i: u32| (2 * y + i).min(from.height - 1);
+        let four = [(0, 0), (1, 0), (0, 1), (1, 1)];
+        let texels = four.map(|(i, j)| color::unpack(self.memory[from.address(column(i), row(j))]));
+        let channel = |c: usize| (texels.iter().map(|t| t[c]).sum::<u32>() + 2) / 4;
+        color::pack(channel(0), channel(1), channel(2), channel(3))
     }
 
     /// Slides all textures down so that the free memory is one gap.
@@ -178,6 +235,25 @@ mod tests {
         let moved = m.get(ids[2]).expect("kept");
         assert_eq!(m.word(moved.address(3, 0)), 0xabcd);
         assert_eq!(m.allocate(80, 1), 0);
+    }
+
+    #[test]
+    fn levels_are_averages_down_to_one_texel() {
+        let mut m = manager(64);
+        let id = m.allocate_mipmapped(4, 2);
+        let texture = m.get(id).expect("allocated");
+        assert_eq!((texture.levels, m.available()), (3, (64 - 8 - 2 - 1) * 4));
+        for i in 0..8 {
+            m.upload_word(id, i, i as u32 * 4);
+        }
+        m.make_levels(id);
+        m.make_levels(99);
+        let (half, one) = (texture.level(1), texture.level(7));
+        assert_eq!((half.width, half.height, one.width), (2, 1, 1));
+        assert_eq!(m.word(half.address(0, 0)), (4 + 16 + 20 + 2) / 4);
+        assert_eq!(m.word(one.address(0, 0)), 14);
+        assert_eq!(m.allocate_mipmapped(u32::MAX, u32::MAX), NO_TEXTURE);
+        assert_eq!(m.allocate_mipmapped(0, 7), NO_TEXTURE);
     }
 
     #[test]

@@ -7,18 +7,21 @@
 use core::ops::Range;
 
 use crate::device::arena::{Arena, Command, Run};
-use crate::setup::{Fate, Launch, Triangle, Triangles, prepare, set_up};
+use crate::setup::{
+    Edge, Fate, Launch, Shape, Triangle, Triangles, prepare, prepare_palette, set_up,
+};
 use crate::state::Rect;
 use crate::stats::Counters;
 
 /// Commands of a chunk.
 pub(crate) const CHUNK: usize = 512;
 
-/// Something a tile has to do. The numbers index the chunk's triangles, or the
-/// arena's clears and runs.
+/// Something a tile has to do. The numbers index the chunk's triangles and
+/// shapes, or the arena's clears and runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Entry {
     Triangle(u32),
+    Shape(u32),
     Clear(u32),
     Pixels(u32),
 }
@@ -57,6 +60,7 @@ impl Grid {
 #[derive(Debug, Default)]
 pub(crate) struct Chunk {
     pub triangles: Triangles,
+    pub shapes: Vec<Shape>,
     pub counters: Counters,
     pairs: Vec<(u32, Entry)>,
     starts: Vec<u32>,
@@ -68,6 +72,7 @@ impl Chunk {
     #[inline(always)]
     pub fn build(&mut self, arena: &Arena, commands: Range<usize>, grid: &Grid) {
         self.triangles.clear();
+        self.shapes.clear();
         self.pairs.clear();
         self.counters = Counters::default();
         let mut launch = Launch::default();
@@ -87,6 +92,10 @@ impl Chunk {
                     self.counters.triangles_drawn += 1;
                     let launch = Launch::from(&arena.registers[registers as usize]);
                     self.launch(arena, &launch, state, grid);
+                }
+                Command::Palette { primitive, state } => {
+                    self.counters.triangles_in += 1;
+                    self.shape(arena, primitive, state, grid);
                 }
                 Command::Clear(index) => {
                     let rect = arena.clears[index as usize].rect;
@@ -111,16 +120,18 @@ impl Chunk {
         else {
             return;
         };
-        let (columns, rows) = grid.touched(&triangle.bounds);
-        let single = columns.len() == 1 && rows.len() == 1;
-        for row in rows {
-            for column in columns.clone() {
-                let tile = row * grid.across + column;
-                if single || touches(triangle, &grid.tile(tile as usize)) {
-                    self.pairs.push((tile, Entry::Triangle(index)));
-                }
-            }
-        }
+        let entry = Entry::Triangle(index);
+        add_edges(&mut self.pairs, &triangle.bounds, triangle_edges(triangle), entry, grid);
+    }
+
+    fn shape(&mut self, arena: &Arena, primitive: u32, state: u32, grid: &Grid) {
+        let primitive = &arena.primitives[primitive as usize];
+        let textured = arena.palettes[state as usize].state.reads_texture();
+        let Some(shape) = prepare_palette(primitive, &grid.bounds, state, textured) else { return };
+        self.counters.triangles_drawn += 1;
+        let entry = Entry::Shape(self.shapes.len() as u32);
+        add_edges(&mut self.pairs, &shape.bounds, shape.edges(), entry, grid);
+        self.shapes.push(shape);
     }
 
     fn add_rect(&mut self, rect: &Rect, entry: Entry, grid: &Grid) {
@@ -160,10 +171,35 @@ impl Chunk {
     }
 }
 
+fn triangle_edges(triangle: &Triangle) -> &[Edge] {
+    &triangle.edges[..triangle.edge_count as usize]
+}
+
+/// Sends an entry to the tiles that its bounds and edges reach.
+#[inline(always)]
+fn add_edges(
+    pairs: &mut Vec<(u32, Entry)>,
+    bounds: &Rect,
+    edges: &[Edge],
+    entry: Entry,
+    grid: &Grid,
+) {
+    let (columns, rows) = grid.touched(bounds);
+    let single = columns.len() == 1 && rows.len() == 1;
+    for row in rows {
+        for column in columns.clone() {
+            let tile = row * grid.across + column;
+            if single || touches(edges, &grid.tile(tile as usize)) {
+                pairs.push((tile, entry));
+            }
+        }
+    }
+}
+
 /// Whether no edge excludes all of a tile.
-fn touches(triangle: &Triangle, tile: &Rect) -> bool {
+fn touches(edges: &[Edge], tile: &Rect) -> bool {
     let last = (tile.x1 - tile.x0) as i32 - 1;
-    triangle.edges[..triangle.edge_count as usize].iter().all(|edge| {
+    edges.iter().all(|edge| {
         let corner = edge.at(tile.x0 as i32, tile.y0 as i32);
         let reach = i64::from(edge.a.max(0)) + i64::from(edge.b.max(0));
         corner + reach * i64::from(last) >= 0

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::ClearValues;
 use crate::kernel::Pipeline;
-use crate::setup::{Cull, Registers, Screen, Vertex};
-use crate::state::{DrawState, MAX_TMUS, Origin, Rect};
+use crate::setup::{Cull, PalettePrimitive, Registers, Screen, Vertex};
+use crate::state::{DrawState, MAX_TMUS, Origin, PaletteDraw, Rect};
 use crate::target::{PixelFormat, Surface};
 use crate::texture::Texture;
 
@@ -16,6 +16,8 @@ pub(crate) enum Command {
     Triangle { vertices: u32, cull: Cull, state: u32 },
     /// Registers to launch.
     Launch { registers: u32, state: u32 },
+    /// A primitive of the Quark profile.
+    Palette { primitive: u32, state: u32 },
     /// A rectangle to fill.
     Clear(u32),
     /// Ready-made fragments.
@@ -104,6 +106,8 @@ pub(crate) struct Arena {
     pub runs: Vec<Run>,
     pub pixels: Vec<Pixel>,
     pub states: Vec<BatchState>,
+    pub primitives: Vec<PalettePrimitive>,
+    pub palettes: Vec<PaletteDraw>,
 }
 
 /// Commands after which an arena is drawn without being asked.
@@ -119,6 +123,7 @@ impl Arena {
         self.commands.len() >= MAX_COMMANDS
             || self.pixels.len() >= MAX_PIXELS
             || self.states.len() >= MAX_STATES
+            || self.palettes.len() >= MAX_STATES
     }
 
     /// Forgets everything but the states, and keeps the memory.
@@ -126,6 +131,7 @@ impl Arena {
         self.commands.clear();
         self.vertices.clear();
         self.registers.clear();
+        self.primitives.clear();
         self.clears.clear();
         self.runs.clear();
         self.pixels.clear();

@@ -37,6 +37,9 @@ impl Device {
             self.arena.states.clear();
             self.state = None;
         }
+        if self.arena.palettes.len() > KEPT_STATES {
+            self.arena.palettes.clear();
+        }
     }
 
     /// Takes the target's surfaces out of their places while they are drawn.

@@ -4,6 +4,7 @@ pub(crate) mod arena;
 
 mod access;
 mod flush;
+mod palette;
 
 use std::sync::Arc;
 

@@ -10,6 +10,7 @@
 pub(crate) mod block;
 pub(crate) mod depth;
 pub(crate) mod lanes;
+pub(crate) mod palette;
 pub(crate) mod pipeline;
 pub(crate) mod texture;
 

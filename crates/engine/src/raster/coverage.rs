@@ -9,13 +9,13 @@ use fillrate_simd::{IntLanes, MaskLanes, Simd};
 
 use crate::kernel::block::STAMP;
 use crate::kernel::lanes::ramp;
-use crate::setup::Triangle;
+use crate::setup::{Edge, Triangle};
 use crate::state::Rect;
 
 /// All fragments of a stamp.
 pub(crate) const FULL: u32 = 0xffff;
 /// Stamps that are classified together.
-pub(crate) const GROUP: usize = 16;
+const GROUP: usize = 16;
 /// Screen columns of a group.
 const GROUP_WIDTH: u32 = 4 * GROUP as u32;
 
@@ -56,6 +56,39 @@ pub(crate) struct GroupCoverage {
     pub partial: u32,
 }
 
+impl GroupCoverage {
+    /// Screen columns of the covered stamps of a group that begins at `first`,
+    /// and whether each is covered whole.
+    #[inline(always)]
+    pub fn stamps(self, first: u32) -> Stamps {
+        Stamps { group: self, first }
+    }
+}
+
+/// See [`GroupCoverage::stamps`].
+pub(crate) struct Stamps {
+    group: GroupCoverage,
+    first: u32,
+}
+
+impl Iterator for Stamps {
+    type Item = (u32, bool);
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<(u32, bool)> {
+        let GroupCoverage { full, partial } = &mut self.group;
+        let stamps = *full | *partial;
+        if stamps == 0 {
+            return None;
+        }
+        let bit = stamps & stamps.wrapping_neg();
+        let is_full = *full & bit != 0;
+        *full &= !bit;
+        *partial &= !bit;
+        Some((self.first + 4 * bit.trailing_zeros(), is_full))
+    }
+}
+
 impl TileCoverage {
     pub const NONE: TileCoverage = TileCoverage {
         edges: [TileEdge { start: 0, a: 0, b: 0, least: 0, greatest: 0 }; 3],
@@ -70,14 +103,27 @@ impl TileCoverage {
     /// of it.
     #[inline(always)]
     pub fn enter<S: Simd>(&mut self, s: S, triangle: &Triangle, tile: &Rect) -> bool {
-        self.area = triangle.bounds.intersect(tile);
+        let edges = &triangle.edges[..usize::from(triangle.edge_count)];
+        self.enter_edges(s, edges, &triangle.bounds, tile)
+    }
+
+    /// As [`TileCoverage::enter`], of at most three edges and bounds.
+    #[inline(always)]
+    pub fn enter_edges<S: Simd>(
+        &mut self,
+        s: S,
+        edges: &[Edge],
+        bounds: &Rect,
+        tile: &Rect,
+    ) -> bool {
+        self.area = bounds.intersect(tile);
         if self.area.is_empty() {
             return false;
         }
         let (x, y) = (tile.x0 as i32, tile.y0 as i32);
         (self.x, self.y, self.count) = (x, y, 0);
         let last = i64::from(tile.x1 - tile.x0 - 1);
-        for edge in &triangle.edges[..triangle.edge_count as usize] {
+        for edge in edges {
             let start = edge.at(x, y);
             let (a, b) = (i64::from(edge.a), i64::from(edge.b));
             if start + (a.max(0) + b.max(0)) * last < 0 {
@@ -139,6 +185,23 @@ impl TileCoverage {
             }
         }
         GroupCoverage { full, partial: touched & !full }
+    }
+
+    /// Fragments that are covered.
+    #[inline(always)]
+    pub fn count<S: Simd>(&self, s: S) -> u64 {
+        if self.is_full() {
+            return self.area.area();
+        }
+        let mut count = 0;
+        for y in self.rows() {
+            for first in self.groups() {
+                for (x, _) in self.group(s, first, y).stamps(first) {
+                    count += u64::from(self.stamp(s, x, y).count_ones());
+                }
+            }
+        }
+        count
     }
 
     /// The covered fragments of the stamp at screen position (x, y).

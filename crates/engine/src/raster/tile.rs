@@ -2,13 +2,14 @@
 
 use fillrate_simd::Simd;
 
-use super::coverage::{FULL, GROUP, TileCoverage, rect_mask};
+use super::coverage::{FULL, TileCoverage, rect_mask};
 use super::depth_range::{depth_range, is_hidden, update_bounds};
+use super::palette::{PaletteTile, draw_shape};
 use crate::bins::{Chunk, Entry, Grid};
 use crate::device::arena::{Arena, BatchState, Clear, Pixel, Run};
 use crate::kernel::block::{Block, SLOTS, STAMP, Slot};
 use crate::kernel::{ColorTile, Pass, Pipeline, StageList, Tile, run, stage_list};
-use crate::setup::{Triangle, Triangles};
+use crate::setup::{Shape, Triangle, Triangles};
 use crate::state::{Dither, Rect};
 use crate::stats::Counters;
 use crate::target::{PixelFormat, Plane, TileCell, pack, stamp_index};
@@ -108,6 +109,10 @@ impl<'a, S: Simd> TilePainter<'a, S> {
                 }
                 match *entry {
                     Entry::Triangle(i) => self.triangle(chunk, i, &mut target),
+                    Entry::Shape(i) => {
+                        self.finish(&chunk.triangles, &mut target);
+                        self.shape(&chunk.shapes[i as usize], &mut target);
+                    }
                     Entry::Clear(i) => {
                         self.finish(&chunk.triangles, &mut target);
                         self.clear(&self.arena.clears[i as usize], &mut target);
@@ -210,13 +215,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
         }
         for y in self.coverage.rows() {
             for first in self.coverage.groups() {
-                let group = self.coverage.group(s, first, y);
-                let mut stamps = group.full | group.partial;
-                while stamps != 0 {
-                    let bit = stamps & stamps.wrapping_neg();
-                    stamps ^= bit;
-                    let x = first + 4 * bit.trailing_zeros();
-                    let full = group.full & bit != 0;
+                for (x, full) in self.coverage.group(s, first, y).stamps(first) {
                     let mask = if full { FULL } else { self.coverage.stamp(s, x, y) };
                     self.stamp(chunk, index, (x, y), mask, clip, target);
                 }
@@ -319,10 +318,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
         }
         for y in coverage.rows() {
             for first in coverage.groups() {
-                let group = coverage.group(self.s, first, y);
-                let stamps = group.full | group.partial;
-                for i in (0..GROUP as u32).filter(|i| stamps >> i & 1 != 0) {
-                    let x = first + 4 * i;
+                for (x, _) in coverage.group(self.s, first, y).stamps(first) {
                     let mask = coverage.stamp(self.s, x, y);
                     let inside = mask & rect_mask(clip, x, y);
                     self.counters.pixels_in += u64::from(mask.count_ones());
@@ -330,6 +326,20 @@ impl<'a, S: Simd> TilePainter<'a, S> {
                 }
             }
         }
+    }
+
+    /// Draws a shape of the Quark profile.
+    #[inline(always)]
+    fn shape(&mut self, shape: &Shape, target: &mut Target<'_>) {
+        let tile = PaletteTile {
+            rect: target.rect,
+            visible: target.rect.intersect(&self.grid.bounds),
+            bits: self.grid.bits,
+            color: &mut *target.color,
+            depth: target.aux.as_deref_mut(),
+            counters: &mut self.counters,
+        };
+        draw_shape(self.s, &self.arena.palettes[shape.state as usize], shape, tile);
     }
 
     /// Fills a part of the tile, or all of it later.

@@ -87,6 +87,26 @@ pub fn table(outcomes: &[Outcome]) -> String {
     out
 }
 
+/// One test as a JSON object on one line.
+pub fn json(o: &Outcome) -> String {
+    let stages = o.grid.utilisation(o.columns).map(|u| format!("{u:.6}")).join(",");
+    format!(
+        "{{\"outer\":\"{}\",\"inner\":\"{}\",\"scale\":{},\"columns\":{},\"single_cycles\":{},\
+         \"grid_cycles\":{},\"speed_up\":{:.6},\"stages\":[{stages}],\"fragments\":{},\
+         \"pixels\":{},\"same_picture\":{}}}",
+        o.test.outer.name,
+        o.test.inner.name,
+        o.test.scale,
+        o.columns,
+        o.single.stream_cycles,
+        o.grid.stream_cycles,
+        o.speed_up(),
+        o.grid.frags,
+        o.grid.pixels,
+        o.same_picture
+    )
+}
+
 /// The verdicts on the published numbers and shapes, a line each.
 pub fn verdicts(outcomes: &[Outcome]) -> String {
     let mut out = String::new();

@@ -10,12 +10,14 @@ use crate::state::{PrimInfo, texmode};
 /// Stage 1 after the end of the primitive has been read.
 pub fn geometry(c: &Costs, work: &GeometryWork, mut charge: impl FnMut(Burst)) {
     charge(c.s1.records);
-    charge(c.s1.transform);
-    charge(c.s1.visibility);
+    // The table is for a triangle; strips and meshes share vertices.
+    charge(c.s1.transform.share(work.vertices, 3));
+    charge(c.s1.visibility.times(work.parts));
     if work.visible {
         charge(c.s1.light_vertex.times(work.lit_vertices));
-        charge(c.s1.premultiply);
-        charge(c.s1.premultiply_extra.times(work.extra_attributes));
+        charge(c.s1.clip_vertex.times(work.new_vertices));
+        charge(c.s1.premultiply.times(work.sent));
+        charge(c.s1.premultiply_extra.times(work.extra_attributes * work.sent));
     }
 }
 
@@ -51,11 +53,13 @@ pub fn combine(c: &Costs, info: &PrimInfo, textured: &Textured, mut charge: impl
     let mode = info.mode;
     let nearest = textured.looked_up && mode.tex_interp() == 0;
     let bilinear = textured.looked_up && mode.tex_interp() == 1;
+    let two_levels = textured.addresses[textured.addresses.len() / 2..].iter().any(Option::is_some);
+    let levels = 1 + u32::from(two_levels);
     let blend = matches!(mode.texmode(), texmode::BLEND | texmode::TEXDECAL | texmode::COLDECAL);
     charge(c.s3.core);
     let parts = [
-        (nearest, c.s3.nearest),
-        (bilinear, c.s3.bilinear),
+        (nearest, c.s3.nearest.times(levels)),
+        (bilinear, c.s3.bilinear.times(levels)),
         (blend, c.s3.blend),
         (mode.texmode() == texmode::MODULATE, c.s3.modulate),
         (mode.lit() == 1 && mode.use_amb() == 1, c.s3.ambient),

@@ -22,7 +22,13 @@ impl Burst {
 
     /// This burst `count` times.
     pub const fn times(self, count: u32) -> Self {
-        Self { cycles: self.cycles * count, active: self.active }
+        Self { cycles: self.cycles.saturating_mul(count), active: self.active }
+    }
+
+    /// `part` of `whole` of this burst.
+    pub const fn share(self, part: u32, whole: u32) -> Self {
+        let cycles = self.cycles as u64 * part as u64 / whole as u64;
+        Self { cycles: cycles as u32, active: self.active }
     }
 }
 
@@ -47,6 +53,8 @@ pub struct Stage1Costs {
     pub visibility: Burst,
     /// Directional light for one vertex.
     pub light_vertex: Burst,
+    /// A vertex made by clipping.
+    pub clip_vertex: Burst,
     /// Position and colour times 1/w, three vertices.
     pub premultiply: Burst,
     /// One more attribute times 1/w, three vertices.
@@ -173,6 +181,7 @@ pub const COSTS: Costs = Costs {
         transform: Burst::new(510, 60),
         visibility: Burst::new(120, 70),
         light_vertex: Burst::new(120, 65),
+        clip_vertex: Burst::new(150, 65),
         premultiply: Burst::new(330, 65),
         premultiply_extra: Burst::new(40, 65),
         send_word: Burst::new(4, 80),

@@ -4,9 +4,21 @@ use std::cell::Cell;
 use std::rc::Rc;
 
 use super::kernel::TaskId;
-use super::machine::Machine;
+use super::machine::{HostWait, Machine, Word};
 use super::perf::Counters;
-use crate::protocol::Record;
+use crate::host::{HostError, text_of};
+use crate::protocol::{MalformedRecord, Record};
+
+/// What the host interface is connected to: where records come from and where words and log lines
+/// go. Simulated time stands still while the source makes it wait.
+pub struct HostSide {
+    /// The records, in order.
+    pub records: Box<dyn Iterator<Item = Record>>,
+    /// Takes a word for the client; `false` when the client is gone, which ends the run.
+    pub reply: Box<dyn FnMut(u32) -> bool>,
+    /// Takes a line for the log.
+    pub log: Box<dyn FnMut(&str)>,
+}
 
 /// When counting began, and what has been counted.
 #[derive(Default)]
@@ -15,63 +27,123 @@ struct Meters {
     scene: Option<u64>,
 }
 
-/// Plays a list of records and stops the kernel. Words the client would read are put into `read`.
-pub async fn run(
+struct Host {
     m: Rc<Machine>,
-    records: Vec<Record>,
-    read: Rc<std::cell::RefCell<Vec<u32>>>,
-    me: Rc<Cell<TaskId>>,
-    boot: bool,
-) {
+    me: TaskId,
+    side: HostSide,
+    clock: Cell<u64>,
+    meters: Meters,
+    /// Records taken, words sent.
+    places: (u64, u64),
+}
+
+/// Plays the records and stops the kernel.
+pub async fn run(m: Rc<Machine>, side: HostSide, me: Rc<Cell<TaskId>>) {
     let clock = Cell::new(m.k.now());
-    let mut meters = Meters::default();
-    let mut records = records.into_iter();
-    if boot {
-        m.device.receive(&m.k, me.get(), &clock).await;
-    }
-    while let Some(record) = records.next() {
-        match record {
-            Record::Data(word) => {
-                m.host.send(&m.k, me.get(), &clock, word, 1).await;
-                clock.set(clock.get() + u64::from(m.costs.host_word) - 1);
-            }
-            Record::Wait => {
-                m.device.receive(&m.k, me.get(), &clock).await;
-            }
-            Record::Read => {
-                let Some(Record::Data(count)) = records.next() else { continue };
-                for _ in 0..count {
-                    let (word, _) = m.device.receive(&m.k, me.get(), &clock).await;
-                    read.borrow_mut().push(word);
-                }
-            }
-            Record::Debug => {
-                records.next();
-            }
-            Record::Halt => break,
-            meta => {
-                m.k.catch_up(me.get(), &clock).await;
-                meters.meta(&m, meta);
-            }
+    let mut host = Host { m, me: me.get(), side, clock, meters: Meters::default(), places: (0, 0) };
+    host.word().await;
+    while let Some(record) = host.next() {
+        if !host.record(record).await {
+            break;
         }
     }
-    m.k.catch_up(me.get(), &clock).await;
-    meters.stop(&m);
-    m.k.stop();
+    host.m.k.catch_up(host.me, &host.clock).await;
+    host.meters.stop(&host.m);
+    host.m.k.stop();
+}
+
+impl Host {
+    fn next(&mut self) -> Option<Record> {
+        let record = self.side.records.next()?;
+        self.places.0 += 1;
+        Some(record)
+    }
+
+    /// Waits for a word from the device.
+    async fn word(&self) -> u32 {
+        self.m.host_waits.set(HostWait::Word(self.places.0));
+        let (word, _) = self.m.device.receive(&self.m.k, self.me, &self.clock).await;
+        self.m.host_waits.set(HostWait::Nothing);
+        word
+    }
+
+    /// Carries out one record; returns whether the run goes on.
+    async fn record(&mut self, record: Record) -> bool {
+        match record {
+            Record::Data(value) => self.send(value).await,
+            Record::Wait => {
+                self.word().await;
+            }
+            Record::AsyncReset => {
+                self.m.k.catch_up(self.me, &self.clock).await;
+                super::restart(&self.m);
+                self.word().await;
+            }
+            Record::Read => return self.read().await,
+            Record::Debug => {
+                if let Some(text) = self.next() {
+                    (self.side.log)(&text_of(text));
+                }
+            }
+            Record::Halt => return false,
+            Record::Text(bytes) => {
+                let (record, offset) = (self.places.0 - 1, self.places.1);
+                let source = MalformedRecord { bytes };
+                self.fault(HostError::Malformed { record, offset, source });
+            }
+            meta => {
+                self.m.k.catch_up(self.me, &self.clock).await;
+                self.meters.meta(&self.m, meta);
+                if meta == Record::Report {
+                    self.meters.settle(&self.m);
+                    (self.side.log)(&self.m.counters().report());
+                }
+            }
+        }
+        true
+    }
+
+    async fn send(&mut self, value: u32) {
+        let word = Word { value, offset: self.places.1 };
+        self.places.1 += 1;
+        self.m.host_waits.set(HostWait::Room(self.places.0));
+        self.m.host.send(&self.m.k, self.me, &self.clock, word, 1).await;
+        self.m.host_waits.set(HostWait::Nothing);
+        self.clock.set(self.clock.get() + u64::from(self.m.costs.host_word) - 1);
+    }
+
+    async fn read(&mut self) -> bool {
+        let Some(Record::Data(count)) = self.next() else {
+            let (record, offset) = self.places;
+            self.fault(HostError::NoCount { record: record.saturating_sub(1), offset });
+            return true;
+        };
+        for _ in 0..count {
+            let word = self.word().await;
+            if !(self.side.reply)(word) {
+                return false;
+            }
+        }
+        true
+    }
+
+    fn fault(&self, fault: HostError) {
+        self.m.host_faults.borrow_mut().push(fault);
+    }
 }
 
 impl Meters {
     fn meta(&mut self, m: &Machine, record: Record) {
         let now = m.k.now();
         match record {
-            Record::PerfStart => self.perf = Some(now),
+            Record::PerfStart => self.perf = Some(self.perf.unwrap_or(now)),
             Record::PerfStop => self.stop(m),
             Record::PerfReset => {
                 self.stop(m);
                 *m.counters.borrow_mut() = Counters::default();
                 m.tiles.iter().for_each(|t| t.active.set(0));
             }
-            Record::EnterScene => self.scene = Some(now),
+            Record::EnterScene => self.scene = Some(self.scene.unwrap_or(now)),
             Record::ExitScene => {
                 self.close_scene(m);
                 self.scene = None;
@@ -88,6 +160,17 @@ impl Meters {
         if let (Some(scene), Some(perf)) = (self.scene, self.perf) {
             m.counters.borrow_mut().stream_cycles += m.k.now() - scene.max(perf);
         }
+    }
+
+    /// Brings the counters up to now and counts on.
+    fn settle(&mut self, m: &Machine) {
+        self.close_scene(m);
+        let now = m.k.now();
+        if let Some(since) = &mut self.perf {
+            m.counters.borrow_mut().render_cycles += now - *since;
+            *since = now;
+        }
+        self.scene = self.scene.map(|_| now);
     }
 
     fn stop(&mut self, m: &Machine) {

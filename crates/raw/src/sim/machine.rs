@@ -11,13 +11,14 @@ use super::link::Link;
 use super::perf::Counters;
 use crate::device::Core;
 use crate::error::StreamError;
+use crate::host::HostError;
 use crate::stage::{Fragment, TransPrim, UntexFragment};
 use crate::state::{ModeBits, PrimInfo};
 
 /// From stage 1 to stage 2.
 pub enum PrimMessage {
-    /// A transformed primitive.
-    Prim(Box<TransPrim>),
+    /// The parts of a transformed primitive; at least one.
+    Prim(Vec<TransPrim>),
     /// A flush marker with the column it started from.
     Flush(usize),
 }
@@ -44,6 +45,33 @@ pub enum PixelMessage {
     End,
     /// A flush marker.
     Flush(usize),
+}
+
+/// A word of the command stream and its place there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Word {
+    /// The word.
+    pub value: u32,
+    /// Its place in the stream, counted from 0.
+    pub offset: u64,
+}
+
+impl Word {
+    /// A word that does not come from the host: a count of a switch or a go-ahead.
+    pub const fn control(value: u32) -> Self {
+        Self { value, offset: u64::MAX }
+    }
+}
+
+/// What the host interface waits for, each with the number of records taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HostWait {
+    /// It has work.
+    Nothing,
+    /// A word from the device.
+    Word(u64),
+    /// Room for a word to the device.
+    Room(u64),
 }
 
 /// What a task is waiting for, for the deadlock report.
@@ -109,11 +137,11 @@ pub struct TokenPost {
 /// Row 0: the switches of stage 1 and their paths.
 pub struct Row0 {
     /// From column k to k+1.
-    pub east: Vec<Link<u32>>,
+    pub east: Vec<Link<Word>>,
     /// From column k+1 to k.
     pub west: Vec<Link<u32>>,
     /// From switch to processor.
-    pub to_proc: Vec<Link<u32>>,
+    pub to_proc: Vec<Link<Word>>,
     /// From processor to switch.
     pub from_proc: Vec<Link<u32>>,
     /// The processor of that column is ready for a primitive.
@@ -126,6 +154,18 @@ pub struct Row0 {
     pub sleeping_offer: Cell<Option<TaskId>>,
     /// Flush and end-of-scene messages and replies.
     pub mail: Vec<Mailbox>,
+}
+
+impl Row0 {
+    /// Empties the paths of the switches and forgets their state.
+    pub fn clear(&self) {
+        self.east.iter().chain(&self.to_proc).for_each(Link::clear);
+        self.west.iter().chain(&self.from_proc).for_each(Link::clear);
+        self.mail.iter().for_each(|mail| mail.letters.borrow_mut().clear());
+        self.ready.iter().for_each(|ready| ready.set(true));
+        self.active.set(None);
+        self.sleeping_offer.set(None);
+    }
 }
 
 /// Everything.
@@ -143,7 +183,11 @@ pub struct Machine {
     /// Tiles, stage by stage.
     pub tiles: Vec<Tile>,
     /// From the host.
-    pub host: Link<u32>,
+    pub host: Link<Word>,
+    /// What the host interface waits for.
+    pub host_waits: Cell<HostWait>,
+    /// Faults in the records.
+    pub host_faults: RefCell<Vec<HostError>>,
     /// To the host.
     pub device: Link<u32>,
     /// Stage 1's row.
@@ -173,19 +217,22 @@ impl Machine {
     pub fn new(core: Core, costs: Costs, options: Options) -> Rc<Self> {
         let columns = options.columns;
         let (room, latency) = (costs.path_words, u64::from(costs.path_latency));
-        let short = || (0..columns).map(|_| Link::new(4, 1)).collect::<Vec<_>>();
+        let words = || (0..columns).map(|_| Link::new(4, 1)).collect::<Vec<_>>();
+        let answers = || (0..columns).map(|_| Link::new(4, 1)).collect::<Vec<_>>();
         Rc::new(Self {
             k: Kernel::default(),
             columns,
             core: RefCell::new(core),
             tiles: (0..4 * columns).map(|_| Tile::default()).collect(),
             host: Link::new(4, 1),
+            host_waits: Cell::new(HostWait::Nothing),
+            host_faults: RefCell::default(),
             device: Link::new(16, 1),
             row0: Row0 {
-                east: short(),
-                west: short(),
-                to_proc: short(),
-                from_proc: short(),
+                east: words(),
+                west: answers(),
+                to_proc: words(),
+                from_proc: answers(),
                 ready: (0..columns).map(|_| Cell::new(true)).collect(),
                 active: Cell::new(None),
                 tasks: RefCell::default(),
@@ -204,6 +251,29 @@ impl Machine {
             costs,
             options,
         })
+    }
+
+    /// Ends every task but the host interface and empties all paths.
+    pub fn stop_tiles(&self) {
+        let handlers = self.tokens.iter().map(|token| token.handler.get());
+        let tiles = self.tiles.iter().map(|tile| tile.task.get());
+        let switches = self.row0.tasks.take();
+        tiles.chain(handlers).chain(switches).for_each(|task| self.k.kill(task));
+        self.host.clear();
+        self.device.clear();
+        self.row0.clear();
+        self.prims.iter().for_each(Link::clear);
+        self.frags.iter().for_each(Link::clear);
+        self.pixels.iter().for_each(Link::clear);
+        for post in &self.tokens {
+            post.wanted.set(false);
+            post.granted.set(None);
+            post.incoming.set(None);
+        }
+        for tile in &self.tiles {
+            tile.clock.set(self.k.now());
+            tile.wait.set(Wait::Nothing);
+        }
     }
 
     /// The number of the tile of a stage, 0..=3, in a column.
@@ -289,9 +359,24 @@ impl Machine {
         self.k.wake(post.handler.get(), arrival);
     }
 
+    /// The counters with the active cycles of all tiles so far.
+    pub fn counters(&self) -> Counters {
+        let mut counters = *self.counters.borrow();
+        for (stage, sum) in counters.active.iter_mut().enumerate() {
+            *sum = (0..self.columns).map(|c| self.tile(stage, c).active.get()).sum();
+        }
+        counters
+    }
+
     /// Says who waits for whom.
     pub fn waits(&self) -> String {
-        let mut lines = String::new();
+        let mut lines = match self.host_waits.get() {
+            HostWait::Nothing => String::new(),
+            HostWait::Word(at) => format!("the host, after record {at}, waits for a word\n"),
+            HostWait::Room(at) => {
+                format!("the host, after record {at}, waits for room on the way to tile 0\n")
+            }
+        };
         for (number, tile) in self.tiles.iter().enumerate() {
             let stage = number / self.columns + 1;
             let text = match tile.wait.get() {

@@ -25,6 +25,7 @@ mod switch;
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
+pub use self::host::HostSide;
 pub use self::options::Options;
 pub use self::switch::SwitchState;
 
@@ -34,6 +35,7 @@ use self::machine::Machine;
 use self::perf::Counters;
 use crate::device::{Config, Core};
 use crate::error::StreamError;
+use crate::host::HostError;
 use crate::protocol::Record;
 
 /// The most columns a machine may have.
@@ -58,6 +60,8 @@ pub struct Run {
     pub core: Core,
     /// Words the client read.
     pub read: Vec<u32>,
+    /// Faults in the records.
+    pub host_faults: Vec<HostError>,
     /// Faults in the stream.
     pub faults: Vec<StreamError>,
     /// Each accepted primitive in the order of the stream: its column and sequence number.
@@ -81,26 +85,61 @@ pub fn play(
     records: &[Record],
     prepare: impl FnOnce(&mut Core),
 ) -> Result<Run, Deadlock> {
+    let read = Rc::new(RefCell::new(Vec::new()));
+    let taken = Rc::clone(&read);
+    let owned: Vec<Record> = records.into();
+    let side = HostSide {
+        records: Box::new(owned.into_iter()),
+        reply: Box::new(move |word| {
+            taken.borrow_mut().push(word);
+            true
+        }),
+        log: Box::new(|_| {}),
+    };
+    let (mut run, stuck) = play_stream(config, costs, options, side, prepare);
+    run.read = read.take();
+    stuck.map_or(Ok(run), Err)
+}
+
+/// As [`play`], with records and words passed as they come; where the machine gets stuck, what it
+/// has done until then is returned as well.
+pub fn play_stream(
+    config: Config,
+    costs: Costs,
+    options: Options,
+    side: HostSide,
+    prepare: impl FnOnce(&mut Core),
+) -> (Run, Option<Deadlock>) {
     let options = Options { columns: options.columns.clamp(1, MAX_COLUMNS), ..options };
     let mut core = Core::new(config);
     prepare(&mut core);
-    let first = core.state.prim.seq_num;
     let m = Machine::new(core, costs, options);
-    for column in 0..m.columns {
-        boot_column(&m, column);
-    }
-    m.pass_token(0, first);
-    let read = Rc::new(RefCell::new(Vec::new()));
+    boot(&m);
     let id = Rc::new(Cell::new(0));
-    let host = host::run(Rc::clone(&m), records.to_vec(), Rc::clone(&read), Rc::clone(&id), true);
-    id.set(m.k.spawn(Box::pin(host)));
-    let ended = m.k.run();
-    let result = match ended {
-        Ended::Stopped => Ok(finish(&m, read.take())),
-        Ended::Stuck => Err(Deadlock { cycle: m.k.now(), waits: m.waits() }),
+    id.set(m.k.spawn(Box::pin(host::run(Rc::clone(&m), side, Rc::clone(&id)))));
+    let stuck = match m.k.run() {
+        Ended::Stopped => None,
+        Ended::Stuck => Some(Deadlock { cycle: m.k.now(), waits: m.waits() }),
     };
+    let run = finish(&m);
     m.k.clear();
-    result
+    (run, stuck)
+}
+
+/// Starts every tile, and sends the token on its way.
+fn boot(m: &Rc<Machine>) {
+    for column in 0..m.columns {
+        boot_column(m, column);
+    }
+    let first = m.core.borrow().state.prim.seq_num;
+    m.pass_token(0, first);
+}
+
+/// Stops everything but the host interface and starts again. Beyond the thesis.
+fn restart(m: &Rc<Machine>) {
+    m.stop_tiles();
+    m.core.borrow_mut().reset();
+    boot(m);
 }
 
 /// Starts the four tiles of a column and its interrupt handler.
@@ -114,17 +153,14 @@ fn boot_column(m: &Rc<Machine>, column: usize) {
     m.tokens[column].handler.set(handler);
 }
 
-fn finish(m: &Machine, read: Vec<u32>) -> Run {
-    let mut counters = *m.counters.borrow();
-    for (stage, sum) in counters.active.iter_mut().enumerate() {
-        *sum = (0..m.columns).map(|c| m.tile(stage, c).active.get()).sum();
-    }
+fn finish(m: &Machine) -> Run {
     let token = m.tokens.iter().find_map(|t| t.incoming.get().map(|(_, value)| value));
     Run {
-        counters,
+        counters: m.counters(),
         core: m.core.borrow().clone(),
-        read,
+        read: Vec::new(),
         faults: m.faults.take(),
+        host_faults: m.host_faults.take(),
         accepted: m.accepted.take(),
         token,
         cycles: m.k.now(),

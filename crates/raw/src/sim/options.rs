@@ -3,38 +3,53 @@
 use crate::stage::raster::Interpolants;
 use crate::state::ModeBits;
 
-/// How the modelled machine differs from the one of the thesis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Options {
-    /// Pipelines side by side; the thesis has four.
-    pub columns: usize,
-    /// Stage 1 lets the next tile start before it transforms its primitive: the late fix of the
-    /// thesis. Off, it is the "unfixed" stage 1.
-    pub early_release: bool,
-    /// State changes go from tile to tile instead of through memory.
-    pub direct_state: bool,
-    /// Only the fields a mode needs are sent.
-    pub minimal_messages: bool,
-    /// A fragment right of the one before it does not carry its coordinates.
-    pub implicit_coordinates: bool,
-    /// Depths are invalidated and flushed once per burst instead of once per pixel.
-    pub z_once_per_burst: bool,
-    /// Ordered primitives are buffered while they wait for their turn.
-    pub buffer_ordered: bool,
+macro_rules! options {
+    ($($(#[$doc:meta])* $name:ident = $default:literal,)+) => {
+        /// How the modelled machine differs from the one of the thesis.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub struct Options {
+            /// Pipelines side by side; the thesis has four.
+            pub columns: usize,
+            $($(#[$doc])* pub $name: bool,)+
+        }
+
+        impl Options {
+            /// The names of all switches.
+            pub const NAMES: &'static [&'static str] = &[$(stringify!($name),)+];
+
+            /// Sets the switch of that name. Returns false when there is none.
+            pub fn set(&mut self, name: &str, on: bool) -> bool {
+                match name {
+                    $(stringify!($name) => self.$name = on,)+
+                    _ => return false,
+                }
+                true
+            }
+        }
+
+        impl Default for Options {
+            /// The machine of the thesis.
+            fn default() -> Self {
+                Self { columns: 4, $($name: $default,)+ }
+            }
+        }
+    };
 }
 
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            columns: 4,
-            early_release: true,
-            direct_state: false,
-            minimal_messages: false,
-            implicit_coordinates: false,
-            z_once_per_burst: false,
-            buffer_ordered: false,
-        }
-    }
+options! {
+    /// Stage 1 lets the next tile start before it transforms its primitive: the late fix of the
+    /// thesis. Off, it is the "unfixed" stage 1.
+    early_release = true,
+    /// State changes go from tile to tile instead of through memory.
+    direct_state = false,
+    /// Only the fields a mode needs are sent.
+    minimal_messages = false,
+    /// A fragment right of the one before it does not carry its coordinates.
+    implicit_coordinates = false,
+    /// Depths are invalidated and flushed once per burst instead of once per pixel.
+    z_once_per_burst = false,
+    /// Ordered primitives are buffered while they wait for their turn.
+    buffer_ordered = false,
 }
 
 impl Options {
@@ -61,10 +76,13 @@ impl Options {
     /// Words of a fragment from stage 2 to 3: tag, place, depth, texture, colour, intensity.
     pub(super) fn fragment_words(&self, needs: Interpolants, follows: bool) -> u32 {
         let place = if self.implicit_coordinates && follows { 0 } else { 2 };
+        // What the thesis does not have is sent only where it is used.
+        let beyond = 2 * (u32::from(needs.footprint) + u32::from(needs.more));
         if !self.minimal_messages {
-            return 6 + place;
+            return 6 + place + beyond;
         }
         1 + place
+            + beyond
             + u32::from(needs.z)
             + 2 * u32::from(needs.uv)
             + u32::from(needs.color)

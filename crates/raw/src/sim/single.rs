@@ -5,10 +5,10 @@ use super::charges;
 use super::cost::{Burst, Costs};
 use super::perf::Counters;
 use crate::device::{Config, Device};
+use crate::host::Host;
 use crate::observer::Observer;
 use crate::opcode::Opcode;
 use crate::protocol::Record;
-use crate::stage::TransPrim;
 use crate::stage::combine::Textured;
 use crate::stage::composite::Outcome;
 use crate::stage::geometry::GeometryWork;
@@ -74,7 +74,9 @@ impl SingleTile {
             self.counters.active[0] += active;
         }
     }
+}
 
+impl Observer for SingleTile {
     fn meta(&mut self, record: Record) {
         self.settle();
         match record {
@@ -88,9 +90,12 @@ impl SingleTile {
             _ => {}
         }
     }
-}
 
-impl Observer for SingleTile {
+    fn report(&mut self) -> Option<String> {
+        self.settle();
+        Some(self.counters.report())
+    }
+
     fn word(&mut self) {
         self.charge(self.costs.s1.word);
     }
@@ -99,7 +104,7 @@ impl Observer for SingleTile {
         self.charge(self.costs.s1.dispatch);
     }
 
-    fn primitive(&mut self, _prim: &TransPrim, work: &GeometryWork) {
+    fn primitive(&mut self, work: &GeometryWork) {
         let costs = self.costs;
         charges::geometry(&costs, work, |burst| self.charge(burst));
         self.counters.drawn_prims += u64::from(self.counting() && work.visible);
@@ -147,29 +152,18 @@ impl Observer for SingleTile {
 }
 
 /// Plays records on a single tile; returns the device and the words the client would have read.
+///
+/// A fault of the records ends the run there, as the end of the records would.
 pub fn play(config: Config, costs: Costs, records: &[Record]) -> (Device<SingleTile>, Vec<u32>) {
-    let mut device = Device::observed(config, SingleTile::new(costs));
-    let mut read = Vec::new();
-    device.pop_reply();
-    let mut records = records.iter();
-    while let Some(record) = records.next() {
-        match record {
-            Record::Data(word) => device.push(*word),
-            Record::Wait => {
-                device.pop_reply();
-            }
-            Record::Read => {
-                if let Some(Record::Data(count)) = records.next() {
-                    read.extend((0..*count).map_while(|_| device.pop_reply()));
-                }
-            }
-            Record::Halt => break,
-            Record::Debug => {
-                records.next();
-            }
-            meta => device.observer_mut().meta(*meta),
-        }
-    }
+    let mut host = Host::new(observed(config, costs));
+    let _ = records.iter().try_for_each(|record| host.push(*record));
+    let read = std::iter::from_fn(|| host.pop()).collect();
+    let mut device = host.into_device();
     device.observer_mut().settle();
     (device, read)
+}
+
+/// A single-tile device that is charged by the cost table.
+pub fn observed(config: Config, costs: Costs) -> Device<SingleTile> {
+    Device::observed(config, SingleTile::new(costs))
 }

@@ -7,9 +7,10 @@ use std::rc::Rc;
 
 use super::charges;
 use super::cost::Burst;
+use super::link::Link;
 use super::machine::{Machine, PrimMessage, Tile, Wait};
 use super::switch;
-use crate::device::{READY, Replies};
+use crate::device::{MAX_FAULTS, READY, Replies};
 use crate::error::StreamError;
 use crate::opcode::Opcode;
 use crate::stage::{InputVertex, geometry, ordering};
@@ -20,12 +21,15 @@ use crate::stream::{SceneEvent, SceneReader};
 const END_SCENE: u32 = u32::MAX;
 /// Words of a primitive on the dynamic network: two messages with headers, tag and 40 words.
 const PRIM_WORDS: u32 = 43;
+/// Words of a further part: two headers, a tag and three vertices.
+const PART_WORDS: u32 = 36;
 
 struct Stage1 {
     m: Rc<Machine>,
     column: usize,
     /// This tile's cached copy of the render state.
     state: RenderState,
+    /// The place in the stream of the word read last.
     offset: u64,
 }
 
@@ -64,8 +68,8 @@ impl Stage1 {
     async fn host_word(&mut self) -> u32 {
         let word = self.m.receive(self.tile(), &self.m.host, Wait::Commands).await;
         self.m.work(self.tile(), self.m.costs.s1.word);
-        self.offset += 1;
-        word
+        self.offset = word.offset;
+        word.value
     }
 
     /// Carries commands out until a scene begins.
@@ -73,8 +77,10 @@ impl Stage1 {
         let mut replies = Replies::default();
         loop {
             let word = self.host_word().await;
-            let Some(op) = Opcode::in_command_mode(word) else {
-                let offset = self.offset - 1;
+            let known = Opcode::in_command_mode(word);
+            let known = known.filter(|op| self.m.core.borrow().state.allows(*op));
+            let Some(op) = known else {
+                let offset = self.offset;
                 self.fault(StreamError::Opcode { word, offset, mode: "command" });
                 continue;
             };
@@ -88,7 +94,10 @@ impl Stage1 {
                 Opcode::Halt => loop {
                     self.m.k.suspend().await;
                 },
-                _ => self.m.core.borrow_mut().execute(op, &params, &mut replies),
+                _ => {
+                    self.check_texture(op, &params);
+                    self.m.core.borrow_mut().execute(op, &params, &mut replies);
+                }
             }
             let count = op.data_length_at().map_or(0, |at| params[at]);
             for index in 0..count {
@@ -102,7 +111,15 @@ impl Stage1 {
     }
 
     fn fault(&self, fault: StreamError) {
-        self.m.faults.borrow_mut().push(fault);
+        let mut faults = self.m.faults.borrow_mut();
+        if faults.len() < MAX_FAULTS {
+            faults.push(fault);
+        }
+    }
+
+    fn check_texture(&self, op: Opcode, params: &[u32]) {
+        let fault = self.m.core.borrow().texture_fault(op, params, self.offset);
+        fault.into_iter().for_each(|fault| self.fault(fault));
     }
 
     /// Tells the other tiles that the state changed, loads the switches and lets the host go on.
@@ -148,8 +165,8 @@ impl Stage1 {
         for task in row.tasks.take() {
             self.m.k.kill(task);
         }
-        let links = row.east.iter().chain(&row.west).chain(&row.to_proc).chain(&row.from_proc);
-        links.for_each(super::link::Link::clear);
+        row.east.iter().chain(&row.to_proc).for_each(Link::clear);
+        row.west.iter().chain(&row.from_proc).for_each(Link::clear);
         row.active.set(None);
         row.sleeping_offer.set(None);
         self.reply(READY).await;
@@ -204,8 +221,8 @@ impl Stage1 {
             let word = self.m.receive(self.tile(), link, Wait::Commands).await;
             self.m.work(self.tile(), self.m.costs.s1.word);
             let errata = self.m.core.borrow().config.errata;
-            self.offset += 1;
-            match reader.push(word, self.offset - 1, &mut self.state, &errata) {
+            self.offset = word.offset;
+            match reader.push(word.value, word.offset, &mut self.state, &errata) {
                 SceneEvent::More => {}
                 SceneEvent::Vertex => self.m.work(self.tile(), self.m.costs.s1.dispatch),
                 SceneEvent::State(op) => self.publish(op, reader.last_params()),
@@ -261,7 +278,7 @@ impl Stage1 {
         self.m.work(self.tile(), self.m.costs.s1.dispatch);
     }
 
-    async fn accept(&mut self, vertices: &[InputVertex; 3]) {
+    async fn accept(&mut self, vertices: &[InputVertex]) {
         let m = Rc::clone(&self.m);
         let errata = m.core.borrow().config.errata;
         let mut info = self.state.prim;
@@ -283,14 +300,15 @@ impl Stage1 {
         if early {
             self.go_ahead().await;
         }
-        let (prim, work) = geometry::process(&mut self.state, info, vertices, &errata);
+        let (parts, work) = geometry::process(&mut self.state, info, vertices, &errata);
         charges::geometry(&m.costs, &work, |burst| m.work(self.tile(), burst));
         m.count(|c| c.drawn_prims += u64::from(work.visible));
-        let words = m.options.prim_words(info.mode, PRIM_WORDS);
+        let further = (parts.len() as u32 - 1) * PART_WORDS;
+        let words = m.options.prim_words(info.mode, PRIM_WORDS) + further;
         m.work(self.tile(), m.costs.s1.send_word.times(words));
         let down = m.tile_number(1, self.column);
         let link = &m.prims[self.column];
-        m.send(self.tile(), link, down, PrimMessage::Prim(Box::new(prim)), words).await;
+        m.send(self.tile(), link, down, PrimMessage::Prim(parts), words).await;
         if numbered.rolled_over && !errata.rollover_keeps_lagged {
             self.flush().await;
         }

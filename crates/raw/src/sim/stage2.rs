@@ -14,7 +14,7 @@ pub async fn run(m: Rc<Machine>, column: usize) {
         let tile = m.tile(1, column);
         match m.receive(tile, &m.prims[column], Wait::Words(above)).await {
             PrimMessage::Flush(from) => send(&m, column, FragMessage::Flush(from), 2).await,
-            PrimMessage::Prim(prim) => draw(&m, column, &prim).await,
+            PrimMessage::Prim(parts) => draw(&m, column, &parts).await,
         }
     }
 }
@@ -25,27 +25,34 @@ async fn send(m: &Machine, column: usize, message: FragMessage, words: u32) {
     m.send(tile, &m.frags[column], m.tile_number(2, column), message, words).await;
 }
 
-async fn draw(m: &Machine, column: usize, prim: &TransPrim) {
+/// Draws all parts of a primitive as one primitive of the stages below.
+async fn draw(m: &Machine, column: usize, parts: &[TransPrim]) {
+    let Some(first) = parts.first() else { return };
     let (tile, costs) = (m.tile(1, column), &m.costs);
     m.work(tile, costs.s2.receive_word.times(40));
-    let mode = prim.info.mode;
-    send(m, column, FragMessage::Prim(prim.info), m.options.info_words(mode, 8)).await;
-    if mode.draw() == 1 {
-        let config = m.core.borrow().config;
-        let mut walker = Rasterizer::new(prim, config.width, config.height, &config.errata);
-        let needs = walker.needs();
-        charges::setup(costs, needs, |burst| m.work(tile, burst));
-        let mut last = None;
-        while let Some(fragment) = walker.next() {
-            charges::walk(costs, walker.take_work(), |burst| m.work(tile, burst));
-            charges::cover(costs, needs, |burst| m.work(tile, burst));
-            m.count(|c| c.frags += 1);
-            let follows = last.replace((fragment.x, fragment.y))
-                == Some((fragment.x.wrapping_sub(1), fragment.y));
-            let words = m.options.fragment_words(needs, follows);
-            send(m, column, FragMessage::Frag(fragment), words).await;
-        }
-        charges::walk(costs, walker.take_work(), |burst| m.work(tile, burst));
+    let mode = first.info.mode;
+    send(m, column, FragMessage::Prim(first.info), m.options.info_words(mode, 8)).await;
+    for part in parts.iter().filter(|part| part.info.mode.draw() == 1) {
+        walk(m, column, part).await;
     }
     send(m, column, FragMessage::End, 1).await;
+}
+
+async fn walk(m: &Machine, column: usize, part: &TransPrim) {
+    let (tile, costs) = (m.tile(1, column), &m.costs);
+    let config = m.core.borrow().config;
+    let mut walker = Rasterizer::new(part, config.width, config.height, &config.errata);
+    let needs = walker.needs();
+    charges::setup(costs, needs, |burst| m.work(tile, burst));
+    let mut last = None;
+    while let Some(fragment) = walker.next() {
+        charges::walk(costs, walker.take_work(), |burst| m.work(tile, burst));
+        charges::cover(costs, needs, |burst| m.work(tile, burst));
+        m.count(|c| c.frags += 1);
+        let follows = last.replace((fragment.x, fragment.y))
+            == Some((fragment.x.wrapping_sub(1), fragment.y));
+        let words = m.options.fragment_words(needs, follows);
+        send(m, column, FragMessage::Frag(fragment), words).await;
+    }
+    charges::walk(costs, walker.take_work(), |burst| m.work(tile, burst));
 }

@@ -11,7 +11,7 @@ use std::rc::Rc;
 
 use super::kernel::TaskId;
 use super::link::Link;
-use super::machine::Machine;
+use super::machine::{Machine, Word};
 
 /// A state of a switch. Whether its processor is ready is kept apart, in `Row0::ready`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,15 +61,15 @@ impl Switch {
         self.m.columns - 1 - self.column
     }
 
-    async fn take(&self, link: &Link<u32>) -> u32 {
+    async fn take<T>(&self, link: &Link<T>) -> T {
         link.receive(&self.m.k, self.task, &self.clock).await.0
     }
 
-    async fn put(&self, link: &Link<u32>, word: u32) {
+    async fn put<T>(&self, link: &Link<T>, word: T) {
         link.send(&self.m.k, self.task, &self.clock, word, 1).await;
     }
 
-    fn west_side(&self) -> &Link<u32> {
+    fn west_side(&self) -> &Link<Word> {
         match self.column {
             0 => &self.m.host,
             k => &self.m.row0.east[k - 1],
@@ -85,7 +85,7 @@ impl Switch {
                 if self.m.columns == 1 {
                     return SwitchState::Turn;
                 }
-                self.put(&row.east[self.column], go).await;
+                self.put(&row.east[self.column], Word::control(go)).await;
                 SwitchState::Counting(1)
             }
             SwitchState::Counting(n) => {
@@ -139,15 +139,15 @@ impl Switch {
     }
 
     /// Routes one primitive from the west: blocks up to the zero count.
-    async fn route(&self, to: &Link<u32>) {
+    async fn route(&self, to: &Link<Word>) {
         loop {
             let count = self.take(self.west_side()).await;
             self.put(to, count).await;
-            for _ in 0..count {
+            for _ in 0..count.value {
                 let word = self.take(self.west_side()).await;
                 self.put(to, word).await;
             }
-            if count == 0 {
+            if count.value == 0 {
                 return;
             }
         }
@@ -167,7 +167,7 @@ impl Switch {
             return SwitchState::Active;
         }
         if !self.last() {
-            self.put(&row.east[self.column], 0).await;
+            self.put(&row.east[self.column], Word::control(0)).await;
         }
         if self.column > 0 {
             self.put(&row.west[self.column - 1], 0).await;

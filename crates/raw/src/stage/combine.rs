@@ -2,7 +2,7 @@
 //!
 //! Source: RAW, combine listing and its tables.
 
-use super::sample::sample;
+use super::sample::{MAX_TEXELS, sample};
 use super::{Fragment, UntexFragment};
 use crate::color::{self, low, mul, with_low};
 use crate::errata::Errata;
@@ -17,7 +17,7 @@ pub struct Textured {
     /// Whether a texel was looked up.
     pub looked_up: bool,
     /// Word addresses read in texture memory.
-    pub addresses: [Option<usize>; 4],
+    pub addresses: [Option<usize>; MAX_TEXELS],
 }
 
 /// Takes one fragment through stage 3.
@@ -27,12 +27,12 @@ pub fn process(
     input: &UntexFragment,
     errata: &Errata,
 ) -> Textured {
-    let s = sample(textures, info, input.u, input.v, errata);
+    let s = sample(textures, info, [input.u, input.v], input.footprint, errata);
     let (texel, base) = condition(info, s.texel, input.rgba);
     let combined = combine(info, base, texel, errata);
     let rgba = match info.mode.lit() {
         0 => combined,
-        _ => light(info, combined, input.intensity, errata),
+        _ => light(info, combined, input, errata),
     };
     Textured {
         fragment: Fragment { x: input.x, y: input.y, z: input.z, rgba },
@@ -90,12 +90,20 @@ fn balance(weight: f32) -> u32 {
     ((weight * 256.0) as u32).min(255)
 }
 
-fn light(info: &PrimInfo, fragment: u32, intensity: f32, errata: &Errata) -> u32 {
-    let mode = info.mode;
+fn light(info: &PrimInfo, fragment: u32, input: &UntexFragment, errata: &Errata) -> u32 {
+    let (mode, intensity) = (info.mode, input.intensity);
     let ambient = term(mode.use_amb(), info.amb_color, low(info.amb_color), fragment);
     let strength = light_byte(intensity, errata);
     let direct = term(mode.use_dir(), info.dir_color, strength, fragment);
-    with_low(color::per_channel(ambient, direct, |a, d| (a + d).min(255)), low(fragment))
+    let mut lit = color::per_channel(ambient, direct, |a, d| (a + d).min(255));
+    if mode.more_light() == 1 {
+        // Further lights shine on the surface like the first; highlights are on top of it.
+        let further = color::per_channel(input.diffuse, fragment, mul);
+        for light in [further, input.specular] {
+            lit = color::per_channel(lit, light, |a, d| (a + d).min(255));
+        }
+    }
+    with_low(lit, low(fragment))
 }
 
 /// One light's share of each channel: light colour times its intensity times the fragment.
@@ -159,11 +167,12 @@ mod tests {
     fn lit_without_terms_is_black_and_keeps_alpha() {
         let mut info = info(texmode::COLOR);
         info.mode.set_lit(1);
-        assert_eq!(light(&info, 0x1234_5678, 1.0, &Errata::CORRECT), 0x78);
+        let at = |intensity| UntexFragment { intensity, ..UntexFragment::default() };
+        assert_eq!(light(&info, 0x1234_5678, &at(1.0), &Errata::CORRECT), 0x78);
         info.mode.set_use_dir(1);
         info.dir_color = 0xffff_ff00;
-        assert_eq!(light(&info, 0x1234_5678, 1.0, &Errata::CORRECT), 0x1234_5678);
-        assert_eq!(light(&info, 0x1234_5678, -1.0, &Errata::CORRECT), 0x78);
-        assert_eq!(light(&info, 0x1234_5678, -1.0, &Errata::FAITHFUL), 0x1234_5678);
+        assert_eq!(light(&info, 0x1234_5678, &at(1.0), &Errata::CORRECT), 0x1234_5678);
+        assert_eq!(light(&info, 0x1234_5678, &at(-1.0), &Errata::CORRECT), 0x78);
+        assert_eq!(light(&info, 0x1234_5678, &at(-1.0), &Errata::FAITHFUL), 0x1234_5678);
     }
 }

@@ -2,11 +2,11 @@
 //!
 //! Source: RAW, geometry listing, in its order of operations; all arithmetic in f32.
 
-use super::{InputVertex, TransPrim, Vertex};
-use crate::color::{self, mul};
+use super::{InputVertex, Shape, TransPrim, Vertex, assembly, clip as clipping, lighting};
+use crate::color;
 use crate::errata::Errata;
 use crate::matrix::{self, Matrix};
-use crate::state::{ModeBits, PrimInfo, RenderState, texmode};
+use crate::state::{ModeBits, PrimInfo, RenderState, clip, texmode};
 
 /// The smallest w that counts as in front of the eye.
 pub const MIN_W: f32 = 1e-6;
@@ -14,15 +14,23 @@ pub const MIN_W: f32 = 1e-6;
 /// What stage 1 did with a primitive, for the cost model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct GeometryWork {
-    /// Vertices that went through directional lighting: 0 or 3.
+    /// Vertices transformed.
+    pub vertices: u32,
+    /// Triangles, lines and points looked at.
+    pub parts: u32,
+    /// Parts sent on, after clipping.
+    pub sent: u32,
+    /// Vertices made by clipping.
+    pub new_vertices: u32,
+    /// Vertices that went through directional lighting.
     pub lit_vertices: u32,
     /// Attributes multiplied by 1/w beyond position and colour: alpha, texture, intensity.
     pub extra_attributes: u32,
-    /// Whether the primitive survived the visibility tests.
+    /// Whether anything of the primitive survived the visibility tests.
     pub visible: bool,
 }
 
-/// Takes one primitive through stage 1.
+/// Takes one primitive through stage 1; returns its visible parts, or one invisible part.
 ///
 /// `info` is the pipe's copy of the primitive's state (with its sequence number and its
 /// ordered or unordered decision); its `draw` bit and ambient intensity are filled in here. `state`
@@ -31,26 +39,105 @@ pub struct GeometryWork {
 pub fn process(
     state: &mut RenderState,
     mut info: PrimInfo,
-    input: &[InputVertex; 3],
+    input: &[InputVertex],
     errata: &Errata,
-) -> (TransPrim, GeometryWork) {
-    let mut vertices = input.map(|v| transform_vertex(&state.model_view, &v));
-    let visible = is_visible(&vertices, errata);
-    info.mode.set_draw(u32::from(visible));
-    let mut work = GeometryWork { visible, ..GeometryWork::default() };
-    if visible {
-        light(state, &mut info, input, &mut vertices, errata);
-        work.lit_vertices = if info.mode.uses_intensity() { 3 } else { 0 };
-        work.extra_attributes = premultiply(info.mode, &mut vertices);
+) -> (Vec<TransPrim>, GeometryWork) {
+    let kind = info.mode.topology();
+    let mut vertices: Vec<Vertex> =
+        input.iter().map(|v| transform_vertex(&state.model_view, v)).collect();
+    let mut work = GeometryWork { vertices: input.len() as u32, ..GeometryWork::default() };
+    let shape = assembly::shape(kind);
+    let last = vertices.len().saturating_sub(1);
+    let pick = |vertices: &[Vertex], part: [usize; 3]| part.map(|i| vertices[i.min(last)]);
+    let visible: Vec<_> = assembly::parts(kind, input.len())
+        .inspect(|_| work.parts += 1)
+        .filter(|part| passes(&pick(&vertices, *part), shape, info.mode, errata))
+        .collect();
+    if !visible.is_empty() {
+        work.lit_vertices = lighting::light(state, &mut info, input, &mut vertices, errata);
     }
-    (TransPrim { info, vertices }, work)
+    let mut parts = Vec::with_capacity(visible.len().max(1));
+    info.mode.set_draw(1);
+    for part in visible {
+        cut(pick(&vertices, part), shape, &info, &mut parts, &mut work);
+    }
+    work.sent = parts.len() as u32;
+    work.visible = !parts.is_empty();
+    if parts.is_empty() {
+        info.mode.set_draw(0);
+        let vertices = pick(&vertices, [0, 1, 2]);
+        parts.push(TransPrim { info, shape, vertices });
+    }
+    (parts, work)
+}
+
+/// Whether a part passes the visibility tests that need no new vertices.
+fn passes(v: &[Vertex; 3], shape: Shape, mode: ModeBits, errata: &Errata) -> bool {
+    let cuts = mode.clip() != clip::DROP;
+    let in_front = |v: &Vertex| cuts || in_front(v, errata);
+    // Only cutting at the near plane leaves what is beyond the far one.
+    let near_enough =
+        |v: &Vertex| mode.clip() != clip::NEAR || errata.depth_overflows || v.z <= v.w1;
+    match shape {
+        Shape::Triangle => {
+            v.iter().all(|v| in_front(v) && near_enough(v)) && faces_front(v, errata)
+        }
+        Shape::Line => v[..2].iter().all(|v| in_front(v) && near_enough(v)),
+        Shape::Point => in_front(&v[0]) && clipping::point(&v[0], mode.clip()),
+    }
+}
+
+/// Cuts a part at the borders of the view and divides what is left by w.
+fn cut(
+    v: [Vertex; 3],
+    shape: Shape,
+    info: &PrimInfo,
+    parts: &mut Vec<TransPrim>,
+    work: &mut GeometryWork,
+) {
+    let mode = info.mode;
+    let mut send = |mut vertices: [Vertex; 3]| {
+        work.extra_attributes = premultiply(mode, &mut vertices);
+        parts.push(TransPrim { info: *info, shape, vertices });
+    };
+    match shape {
+        _ if mode.clip() == clip::DROP => send(v),
+        Shape::Point => send(v),
+        Shape::Line => {
+            let left = clipping::line([v[0], v[1]], mode.clip(), &mut work.new_vertices);
+            left.into_iter().for_each(|[a, b]| send([a, b, b]));
+        }
+        Shape::Triangle => {
+            let left = clipping::triangle(flattened(v, mode), mode.clip(), &mut work.new_vertices);
+            for i in 1..left.len().saturating_sub(1) {
+                send([left[0], left[i], left[i + 1]]);
+            }
+        }
+    }
+}
+
+/// Where colour or light is the average of the corners, every part of a cut triangle must have the
+/// average of the whole one.
+fn flattened(mut v: [Vertex; 3], mode: ModeBits) -> [Vertex; 3] {
+    let average = |f: &dyn Fn(&Vertex) -> f32| (f(&v[0]) + f(&v[1]) + f(&v[2])) / 3.0;
+    let rgba = std::array::from_fn(|i| average(&|v| v.rgba[i]));
+    let intensity = average(&|v| v.intensity);
+    for v in &mut v {
+        if mode.col_interp() == 0 {
+            v.rgba = rgba;
+        }
+        if mode.lit_interp() == 0 {
+            v.intensity = intensity;
+        }
+    }
+    v
 }
 
 fn transform_vertex(model_view: &Matrix, v: &InputVertex) -> Vertex {
     let [x, y, z] = v.position;
     let [x, y, z, w1] = matrix::transform(model_view, [x, y, z, 1.0]);
     let rgba = color::unpack(v.rgba).map(|c| c as f32);
-    Vertex { x, y, z, w1, u: v.uv[0], v: v.uv[1], rgba, intensity: 0.0 }
+    Vertex { x, y, z, w1, u: v.uv[0], v: v.uv[1], rgba, ..Vertex::default() }
 }
 
 /// Whether the primitive passes the near-plane and back-face tests. A primitive that crosses the
@@ -83,49 +170,6 @@ fn faces_front(v: &[Vertex; 3], errata: &Errata) -> bool {
     d > 0.0
 }
 
-fn light(
-    state: &mut RenderState,
-    info: &mut PrimInfo,
-    input: &[InputVertex; 3],
-    out: &mut [Vertex; 3],
-    errata: &Errata,
-) {
-    if !state.dir_defined {
-        info.mode.set_use_dir(0);
-    }
-    if info.mode.lit() == 0 {
-        return;
-    }
-    if info.mode.use_amb() == 1 {
-        let ambient = mul(state.amb_reflect & 0xff, color::low(info.amb_color));
-        if errata.ambient_decays {
-            state.prim.amb_color = color::with_low(state.prim.amb_color, ambient);
-        } else {
-            info.amb_color = color::with_low(info.amb_color, ambient);
-        }
-    }
-    if info.mode.use_dir() == 1 {
-        let strength = (state.dir_reflect & 0xff) as f32 / 255.0;
-        let strength = strength * (color::low(info.dir_color) as f32 / 255.0);
-        for (vertex, v) in out.iter_mut().zip(input) {
-            vertex.intensity = directional(state, v.normal, strength, errata);
-        }
-    }
-}
-
-fn directional(state: &RenderState, normal: [f32; 3], strength: f32, errata: &Errata) -> f32 {
-    let [x, y, z] = normal;
-    let [x, y, z, _] = matrix::transform(&state.normal_matrix, [x, y, z, 1.0]);
-    let square = x * x + y * y + z * z;
-    if square == 0.0 && !errata.normals_flip {
-        return 0.0;
-    }
-    let scale = 1.0 / square.sqrt();
-    let [lx, ly, lz] = state.light;
-    let product = -(x * scale * lx + y * scale * ly + z * scale * lz);
-    if product <= 0.0 { 0.0 } else { product * strength }
-}
-
 /// Divides positions by w and multiplies the attributes the mode interpolates by 1/w. Returns how
 /// many kinds of attribute beyond position and colour were touched.
 fn premultiply(mode: ModeBits, vertices: &mut [Vertex; 3]) -> u32 {
@@ -153,13 +197,17 @@ fn premultiply(mode: ModeBits, vertices: &mut [Vertex; 3]) -> u32 {
         if mode.uses_intensity() {
             v.intensity *= v.w1;
         }
+        if mode.more_light() == 1 {
+            v.more = v.more.map(|c| c * v.w1);
+        }
     }
-    u32::from(alpha) + u32::from(texture) + u32::from(mode.uses_intensity())
+    u32::from(alpha) + u32::from(texture) + u32::from(mode.uses_intensity()) + 2 * mode.more_light()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::color::mul;
 
     fn at(x: f32, y: f32, w: f32) -> Vertex {
         Vertex { x, y, z: 0.0, w1: w, ..Vertex::default() }
@@ -203,11 +251,11 @@ mod tests {
         state.prim.mode.set_use_amb(1);
         let prim = state.prim;
         let (out, _) = process(&mut state, prim, &input, &Errata::CORRECT);
-        assert_eq!(color::low(out.info.amb_color), mul(128, 128));
+        assert_eq!(color::low(out[0].info.amb_color), mul(128, 128));
         assert_eq!(color::low(state.prim.amb_color), 0x80);
         let decays = Errata { ambient_decays: true, ..Errata::CORRECT };
         let (out, _) = process(&mut state, prim, &input, &decays);
-        assert_eq!(color::low(out.info.amb_color), 0x80);
+        assert_eq!(color::low(out[0].info.amb_color), 0x80);
         assert_eq!(color::low(state.prim.amb_color), mul(128, 128));
     }
 }

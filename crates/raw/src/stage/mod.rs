@@ -3,16 +3,21 @@
 //! The single-tile reference and every tile of the simulator call the same code, so their pixels
 //! can only differ by the order in which fragments meet the frame buffer.
 //!
-//! [`geometry`] (stage 1) turns three input vertices into a [`TransPrim`]; [`ordering`] numbers
-//! primitives; [`raster`] (stage 2) walks a `TransPrim` into [`UntexFragment`]s; [`sample`] and
+//! [`geometry`] (stage 1) turns input vertices into [`TransPrim`]s, with [`clip`] cutting and
+//! [`lighting`] shading them; [`ordering`] numbers primitives; [`raster`] (stage 2) walks a `TransPrim` into [`UntexFragment`]s; [`sample`] and
 //! [`combine`] (stage 3) turn those into [`Fragment`]s; [`composite`] (stage 4) draws them.
 
+pub mod assembly;
+pub mod clip;
 pub mod combine;
 pub mod composite;
+pub mod emit;
 pub mod geometry;
+pub mod lighting;
 pub mod ordering;
 pub mod raster;
 pub mod sample;
+pub mod thin;
 
 use crate::state::PrimInfo;
 
@@ -54,13 +59,29 @@ pub struct Vertex {
     pub rgba: [f32; 4],
     /// Directional light intensity, nominally 0..1.
     pub intensity: f32,
+    /// Beyond the thesis: light of further lights (red, green, blue, 0..=255), then of highlights.
+    pub more: [f32; 6],
 }
 
-/// A primitive between stages 1 and 2: 40 words.
+/// What a primitive between stages 1 and 2 is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Shape {
+    /// A triangle of all three vertices.
+    #[default]
+    Triangle,
+    /// A line between the first two.
+    Line,
+    /// A square around the first.
+    Point,
+}
+
+/// A primitive, or a part of one, between stages 1 and 2: 40 words in the thesis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TransPrim {
     /// Mode and state of the primitive.
     pub info: PrimInfo,
+    /// What it is.
+    pub shape: Shape,
     /// The three vertices.
     pub vertices: [Vertex; 3],
 }
@@ -82,6 +103,12 @@ pub struct UntexFragment {
     pub rgba: u32,
     /// Directional light intensity.
     pub intensity: f32,
+    /// Beyond the thesis: how far the texture coordinates move in one pixel, at most.
+    pub footprint: [f32; 2],
+    /// Beyond the thesis: light of further lights, rgb.
+    pub diffuse: u32,
+    /// Beyond the thesis: light of highlights, rgb.
+    pub specular: u32,
 }
 
 /// A fragment between stages 3 and 4: 4 words.

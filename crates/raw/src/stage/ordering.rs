@@ -11,11 +11,11 @@ use crate::state::{ModeBits, RenderState, alpha, texmode};
 ///
 /// Opaque primitives with an ordinary depth test give the same picture in any order (but for equal
 /// depths). A user who sets `out_of_order` forces the answer.
-pub fn is_unordered(mode: ModeBits, vertices: &[InputVertex; 3], errata: &Errata) -> bool {
+pub fn is_unordered(mode: ModeBits, vertices: &[InputVertex], errata: &Errata) -> bool {
     mode.out_of_order() == 1 || !must_be_ordered(mode, vertices, errata)
 }
 
-fn must_be_ordered(mode: ModeBits, vertices: &[InputVertex; 3], errata: &Errata) -> bool {
+fn must_be_ordered(mode: ModeBits, vertices: &[InputVertex], errata: &Errata) -> bool {
     let all = |value| vertices.iter().all(|v| color::low(v.rgba) == value);
     let translucent = !all(0) && !all(255);
     let tm = mode.texmode();

@@ -5,7 +5,7 @@
 use super::trunc_i32;
 use crate::color;
 use crate::errata::Errata;
-use crate::state::{PrimInfo, textile};
+use crate::state::{PrimInfo, mipmap, textile};
 use crate::texture::{Texture, TextureManager};
 
 /// The texel of one fragment, and the memory words it was made of.
@@ -16,26 +16,68 @@ pub struct Sample {
     /// Whether a texture was looked up at all.
     pub looked_up: bool,
     /// Word addresses read, for the cache model.
-    pub addresses: [Option<usize>; 4],
+    pub addresses: [Option<usize>; MAX_TEXELS],
 }
 
-/// Looks the texel for coordinates `u`, `v` up.
+/// The most texels one lookup reads: four of each of two levels.
+pub const MAX_TEXELS: usize = 8;
+
+/// Looks the texel for coordinates `u`, `v` up. `footprint` is how far they move in one pixel.
+#[inline]
 pub fn sample(
     textures: &TextureManager,
     info: &PrimInfo,
-    u: f32,
-    v: f32,
+    [u, v]: [f32; 2],
+    footprint: [f32; 2],
     errata: &Errata,
 ) -> Sample {
     if !info.mode.uses_texture() {
         return Sample::default();
     }
     let Some(texture) = textures.get(info.texture_id) else { return Sample::default() };
-    let sampler = Sampler { textures, texture, tile: info.mode.textile(), errata };
-    match info.mode.tex_interp() {
-        0 => sampler.nearest(u, v),
-        _ => sampler.bilinear(u, v),
+    let at = |texture: Texture| {
+        let sampler = Sampler { textures, texture, tile: info.mode.textile(), errata };
+        match info.mode.tex_interp() {
+            0 => sampler.nearest(u, v),
+            _ => sampler.bilinear(u, v),
+        }
+    };
+    if info.mode.mipmap() == mipmap::OFF || texture.levels == 1 {
+        return at(texture);
     }
+    let lod = level_of_detail(&texture, footprint);
+    if info.mode.mipmap() == mipmap::NEAREST {
+        return at(texture.level((lod + 0.5) as u32));
+    }
+    let (level, fraction) = (lod as u32, lod - (lod as u32) as f32);
+    let fine = at(texture.level(level));
+    if fraction == 0.0 {
+        return fine;
+    }
+    blend(&fine, &at(texture.level(level + 1)), fraction)
+}
+
+/// Which level matches: the logarithm of how many texels of the finest level a pixel covers along
+/// its longer side, at least 0, at most the coarsest level. Between powers of two the logarithm is
+/// taken as linear. Beyond the thesis.
+fn level_of_detail(texture: &Texture, [du, dv]: [f32; 2]) -> f32 {
+    let texels = (du * texture.width as f32).max(dv * texture.height as f32);
+    if texels.is_nan() || texels <= 1.0 {
+        return 0.0;
+    }
+    let exponent = (texels.to_bits() >> 23) as i32 - 127;
+    let mantissa = f32::from_bits(texels.to_bits() & 0x7f_ffff | 0x3f80_0000);
+    (exponent as f32 + (mantissa - 1.0)).min((texture.levels - 1) as f32)
+}
+
+/// Two levels mixed; channels are cut to bytes.
+fn blend(fine: &Sample, coarse: &Sample, fraction: f32) -> Sample {
+    let mixed = color::per_channel(fine.texel, coarse.texel, |a, b| {
+        trunc_i32(a as f32 * (1.0 - fraction) + b as f32 * fraction) as u32
+    });
+    let mut addresses = fine.addresses;
+    addresses[MAX_TEXELS / 2..].copy_from_slice(&coarse.addresses[..MAX_TEXELS / 2]);
+    Sample { texel: mixed, looked_up: true, addresses }
 }
 
 struct Sampler<'a> {
@@ -53,7 +95,7 @@ impl Sampler<'_> {
         let v_size = if self.errata.clamp_v_by_width { w } else { h };
         let address = self.address(self.limit(x, w, w), self.limit(y, h, v_size));
         let texel = address.map_or(0, |a| self.textures.word(a));
-        Sample { texel, looked_up: true, addresses: [address, None, None, None] }
+        Sample { texel, looked_up: true, addresses: first(&[address]) }
     }
 
     fn bilinear(&self, u: f32, v: f32) -> Sample {
@@ -68,7 +110,7 @@ impl Sampler<'_> {
             trunc_i32(top * (1.0 - fy) + (t[2] * (1.0 - fx) + t[3] * fx) * fy) as u32
         };
         let texel = color::pack(channel(0), channel(1), channel(2), channel(3));
-        Sample { texel, looked_up: true, addresses: at }
+        Sample { texel, looked_up: true, addresses: first(&at) }
     }
 
     /// Lower and upper texel index along one axis, and the weight of the upper one.
@@ -150,6 +192,11 @@ impl Sampler<'_> {
     }
 }
 
+/// The addresses of one level.
+fn first(addresses: &[Option<usize>]) -> [Option<usize>; MAX_TEXELS] {
+    std::array::from_fn(|i| addresses.get(i).copied().flatten())
+}
+
 fn trunc_f32(c: f32) -> f32 {
     c.trunc()
 }
@@ -173,7 +220,7 @@ mod tests {
 
     fn nearest(tile: u32, u: f32) -> u32 {
         let (textures, info) = setup(tile, 0);
-        sample(&textures, &info, u, 0.5, &Errata::CORRECT).texel
+        sample(&textures, &info, [u, 0.5], [0.0; 2], &Errata::CORRECT).texel
     }
 
     #[test]
@@ -223,7 +270,7 @@ mod tests {
         }
         let (_, mut info) = setup(textile::CLAMP, 1);
         info.texture_id = id;
-        let s = sample(&textures, &info, 0.5, 0.5, &Errata::CORRECT);
+        let s = sample(&textures, &info, [0.5; 2], [0.0; 2], &Errata::CORRECT);
         // Upper row: trunc(1.5) = 1; lower row 3; halves: trunc(2.0) = 2, not trunc(2.25).
         assert_eq!(s.texel, 2);
         assert_eq!(s.addresses.iter().flatten().count(), 4);
@@ -233,6 +280,34 @@ mod tests {
     fn bad_texture_ids_give_no_texel() {
         let (textures, mut info) = setup(textile::REPEAT, 0);
         info.texture_id = u32::MAX;
-        assert_eq!(sample(&textures, &info, 0.5, 0.5, &Errata::FAITHFUL), Sample::default());
+        assert_eq!(
+            sample(&textures, &info, [0.5; 2], [0.0; 2], &Errata::FAITHFUL),
+            Sample::default()
+        );
+    }
+
+    #[test]
+    fn the_footprint_chooses_the_level() {
+        let mut textures = TextureManager::new(4096, 1, Errata::CORRECT);
+        let id = textures.allocate_mipmapped(8, 8);
+        let texture = textures.get(id).expect("allocated");
+        let mut next = 0;
+        for level in 0..4 {
+            let size = texture.level(level);
+            for _ in 0..size.width * size.height {
+                textures.upload_word(id, next, 0x10 * (level + 1));
+                next += 1;
+            }
+        }
+        let mut info = PrimInfo::default();
+        info.mode.set_texmode(2);
+        info.texture_id = id;
+        let mut texel = |mode: u32, footprint: f32| {
+            info.mode.set_mipmap(mode);
+            sample(&textures, &info, [0.5; 2], [footprint, 0.0], &Errata::CORRECT).texel
+        };
+        assert_eq!(texel(0, 1.0), 0x10);
+        assert_eq!([0.1, 0.25, 0.5, 1.0, 9.0].map(|f| texel(1, f)), [0x10, 0x20, 0x30, 0x40, 0x40]);
+        assert_eq!([0.1, 0.1875, 0.25, f32::NAN].map(|f| texel(2, f)), [0x10, 0x18, 0x20, 0x10]);
     }
 }

@@ -1,5 +1,6 @@
 //! Tests of the Raw pipeline against the thesis.
 
+mod beyond;
 mod common;
 mod distribution;
 mod experiment;

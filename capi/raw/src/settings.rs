@@ -1,0 +1,63 @@
+//! Settings of the library, from the environment.
+
+use std::path::PathBuf;
+
+use fillrate_capture::{number, variable};
+use fillrate_raw::{Config, Errata};
+
+/// Everything that is set.
+#[derive(Debug, Default)]
+pub struct Settings {
+    /// The device.
+    pub config: Config,
+    /// Whether to talk to a renderer through standard input and output.
+    pub pipe: bool,
+    /// Record every call here.
+    pub trace: Option<PathBuf>,
+    /// Write frames and their log here.
+    pub capture: Option<PathBuf>,
+    /// Write every Nth frame; 0 writes the log alone.
+    pub every: u64,
+    /// End the program after so many page flips.
+    pub exit_after: Option<u64>,
+}
+
+/// Parses WIDTHxHEIGHT.
+fn size(text: &str) -> Result<(u32, u32), String> {
+    let sides = text.split_once('x').and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
+    match sides {
+        Some((w @ 1..=2048, h @ 1..=2048)) => Ok((w, h)),
+        _ => Err("sizes are WIDTHxHEIGHT, each 1 to 2048".into()),
+    }
+}
+
+fn errata(text: &str) -> Result<Errata, String> {
+    Errata::by_name(text).ok_or_else(|| "they are 'correct' or 'faithful'".to_string())
+}
+
+fn transport(text: &str) -> Result<bool, String> {
+    match text {
+        "here" => Ok(false),
+        "pipe" => Ok(true),
+        _ => Err("transports are 'here' and 'pipe'".into()),
+    }
+}
+
+impl Settings {
+    /// Reads the environment.
+    pub fn from_environment() -> Settings {
+        let mut config = Config::default();
+        if let Some((width, height)) = variable("FILLRATE_RAW_SIZE", size) {
+            config = config.sized(width, height);
+        }
+        config.errata = variable("FILLRATE_RAW_ERRATA", errata).unwrap_or(config.errata);
+        Settings {
+            config,
+            pipe: variable("FILLRATE_RAW_TRANSPORT", transport).unwrap_or(false),
+            trace: std::env::var_os("FILLRATE_TRACE").map(PathBuf::from),
+            capture: std::env::var_os("FILLRATE_CAPTURE").map(PathBuf::from),
+            every: variable("FILLRATE_EVERY", number).unwrap_or(1),
+            exit_after: variable("FILLRATE_EXIT_AFTER", number).filter(|&n| n > 0),
+        }
+    }
+}
