@@ -156,8 +156,8 @@ fn draw(args: &DemoArgs, scene: &Scene, program: &Path, build: &Path) -> Result<
         triangles: finished.frames.iter().map(|note| note.triangles).sum(),
         pixels: finished.frames.iter().map(|note| note.pixels).sum(),
         seconds: drawing.as_secs_f64(),
-        threads: args.settings.threads(),
-        simd: args.settings.level().to_string(),
+        threads: args.settings.device().threads,
+        simd: args.settings.device().level.to_string(),
     })
 }
 

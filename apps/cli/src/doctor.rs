@@ -22,6 +22,7 @@ pub fn doctor(args: &DoctorArgs) -> Result<Outcome> {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let found = library::folder();
     let settings = variables();
+    let loaded = fillrate_settings::Settings::load();
     if args.json {
         let object = json!({
             "version": env!("CARGO_PKG_VERSION"),
@@ -30,6 +31,8 @@ pub fn doctor(args: &DoctorArgs) -> Result<Outcome> {
             "best": Level::best().name(),
             "cores": threads,
             "library": found,
+            "config": loaded.file,
+            "problems": loaded.problems,
             "variables": settings.iter().cloned().collect::<std::collections::BTreeMap<_, _>>(),
         });
         println!("{object}");
@@ -56,8 +59,14 @@ pub fn doctor(args: &DoctorArgs) -> Result<Outcome> {
     for (name, value) in &settings {
         println!("variable     {name}={value}");
     }
-    if let Some(problem) = settings.iter().find_map(|(name, value)| problem(name, value)) {
+    match &loaded.file {
+        Some(file) => println!("settings     {}", file.display()),
+        None => println!("settings     no fillrate.toml"),
+    }
+    for problem in &loaded.problems {
         println!("problem      {problem}");
+    }
+    if !loaded.problems.is_empty() {
         return Ok(Outcome::BadInput);
     }
     Ok(if found.is_some() { Outcome::Same } else { Outcome::BadInput })
@@ -71,20 +80,4 @@ fn variables() -> Vec<(String, String)> {
     let mut list: Vec<_> = std::env::vars().filter(|(name, _)| ours(name)).collect();
     list.sort();
     list
-}
-
-/// What is wrong with a variable's value, if anything.
-fn problem(name: &str, value: &str) -> Option<String> {
-    match name {
-        "FILLRATE_SIMD" => match value.parse::<Level>() {
-            Ok(level) if level.is_available() => None,
-            Ok(level) => Some(format!("{name}: this machine has no {level}")),
-            Err(error) => Some(format!("{name}: {error}")),
-        },
-        "FILLRATE_THREADS" => match value.parse::<u16>() {
-            Ok(1..=256) => None,
-            _ => Some(format!("{name}: '{value}' is not a count from 1 to 256")),
-        },
-        _ => None,
-    }
 }

@@ -6,7 +6,6 @@ use std::path::PathBuf;
 
 use anyhow::{Context as _, Result};
 use clap::Args;
-use fillrate_engine::DeviceConfig;
 use fillrate_player::{Limits, Played, Player, Stop, Verdict};
 use fillrate_trace::TraceReader;
 
@@ -42,11 +41,7 @@ pub fn replay(args: &ReplayArgs) -> Result<Outcome> {
     if let Some(folder) = &args.out {
         std::fs::create_dir_all(folder)?;
     }
-    let device = DeviceConfig {
-        threads: args.settings.threads(),
-        level: args.settings.level(),
-        ..DeviceConfig::default()
-    };
+    let device = args.settings.device();
     let reader = TraceReader::new(BufReader::new(file))?;
     let limits = Limits { frames: args.frames, ..Limits::default() };
     let mut player = Player::new(reader, AnyTarget::new(device), limits);

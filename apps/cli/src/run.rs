@@ -44,6 +44,21 @@ pub struct RunArgs {
     /// Report every misuse of the API
     #[arg(long)]
     pub check: bool,
+    /// Boards in the machine
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=4))]
+    pub boards: Option<u8>,
+    /// Pictures as on the monitor: with the board's gamma
+    #[arg(long)]
+    pub gamma: bool,
+    /// Pictures with the screen filter, which takes dithering back
+    #[arg(long)]
+    pub filter: bool,
+    /// Show the start-up picture when a board is opened
+    #[arg(long)]
+    pub splash: bool,
+    /// Settings file, instead of the fillrate.toml found
+    #[arg(long, value_name = "FILE")]
+    pub config: Option<PathBuf>,
     /// The program and its arguments
     #[arg(last = true, required = true, value_name = "PROGRAM [ARGS]")]
     pub program: Vec<std::ffi::OsString>,
@@ -52,8 +67,11 @@ pub struct RunArgs {
 /// What the library notes of one frame.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct FrameNote {
-    /// Counted from 0.
+    /// Counted from 0 over all boards.
     pub frame: u64,
+    /// The board that showed it.
+    #[serde(default)]
+    pub board: usize,
     /// Columns.
     pub width: u32,
     /// Rows.
@@ -138,19 +156,32 @@ fn read_log(file: &Path) -> Result<Vec<FrameNote>> {
     Ok(text.lines().map_while(|line| serde_json::from_str(line).ok()).collect())
 }
 
+impl RunArgs {
+    /// The options that the library reads as variables.
+    fn variables(&self) -> Vec<(&'static str, String)> {
+        let on = |on: bool| on.then(|| "1".to_string());
+        let config = self.config.as_ref().map(|path| path.display().to_string());
+        [
+            ("FILLRATE_CARD", self.card.clone()),
+            ("FILLRATE_BOARDS", self.boards.map(|n| n.to_string())),
+            ("FILLRATE_CONFIG", config),
+            ("FILLRATE_CHECK", on(self.check)),
+            ("FILLRATE_GAMMA", on(self.gamma)),
+            ("FILLRATE_FILTER", on(self.filter)),
+            ("FILLRATE_SPLASH", on(self.splash)),
+        ]
+        .into_iter()
+        .filter_map(|(name, value)| Some((name, value?)))
+        .collect()
+    }
+}
+
 /// The command.
 pub fn run(args: &RunArgs) -> Result<Outcome> {
     let scratch = tempfile::tempdir()?;
     let folder = args.out.as_deref().unwrap_or(scratch.path());
     std::fs::create_dir_all(folder)
         .with_context(|| format!("cannot create {}", folder.display()))?;
-    let mut variables = Vec::new();
-    if let Some(card) = &args.card {
-        variables.push(("FILLRATE_CARD", card.clone()));
-    }
-    if args.check {
-        variables.push(("FILLRATE_CHECK", "1".to_string()));
-    }
     let finished = execute(
         &args.program,
         &Request {
@@ -159,7 +190,7 @@ pub fn run(args: &RunArgs) -> Result<Outcome> {
             every: if args.out.is_some() { args.every } else { 0 },
             folder,
             trace: args.trace.as_deref(),
-            variables,
+            variables: args.variables(),
         },
     )?;
     report(args, &finished)?;

@@ -1,6 +1,7 @@
 //! The options that say how to draw; the same for every command.
 
 use clap::Args;
+use fillrate_engine::DeviceConfig;
 use fillrate_simd::Level;
 
 /// How to draw. None of it changes a pixel.
@@ -15,15 +16,15 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// The level asked for, or the machine's widest.
-    pub fn level(&self) -> Level {
-        self.simd.unwrap_or_else(Level::best)
-    }
-
-    /// The threads asked for, or as many as there are cores.
-    pub fn threads(&self) -> usize {
-        let all = || std::thread::available_parallelism().map_or(1, usize::from);
-        self.threads.map_or_else(all, usize::from)
+    /// How to draw: as asked for, or else by `fillrate.toml` and the
+    /// environment.
+    pub fn device(&self) -> DeviceConfig {
+        let device = fillrate_settings::Settings::load().glide.device;
+        DeviceConfig {
+            threads: self.threads.map_or(device.threads, usize::from),
+            level: self.simd.unwrap_or(device.level),
+            ..device
+        }
     }
 
     /// The settings as environment variables of a program.

@@ -7,6 +7,7 @@ use fillrate_glide::{Call, Context, GlideConfig};
 use fillrate_player::{Frame, Pixels, Target, TargetError};
 use fillrate_raw as raw;
 use fillrate_trace::Meta;
+use fillrate_trace::meta::CONFIG_PREFIX;
 
 /// Executes the calls of whichever front end a trace was recorded from.
 pub struct AnyTarget {
@@ -49,10 +50,15 @@ struct GlideTarget(Context);
 
 impl GlideTarget {
     fn start(meta: &Meta, device: &DeviceConfig) -> Result<GlideTarget, TargetError> {
-        let card = meta.get("card").and_then(Card::by_name).unwrap_or_default();
-        let boards = meta.get("boards").and_then(|boards| boards.parse().ok()).unwrap_or(1);
-        let device = device.clone();
-        let config = GlideConfig { device, card, boards, ..GlideConfig::default() };
+        let pairs = meta.iter().filter_map(|(key, value)| {
+            Some((key.strip_prefix(CONFIG_PREFIX)?.to_string(), value.to_string()))
+        });
+        let mut config = GlideConfig::from_description(pairs);
+        // Traces of earlier versions name a built-in board.
+        if let Some(card) = meta.get("card").and_then(Card::by_name) {
+            config.card = card;
+        }
+        config.device = device.clone();
         Ok(GlideTarget(Context::new(config)?))
     }
 }

@@ -1,6 +1,7 @@
 //! The program and the C library as a user meets them: examples compiled by
 //! the system's C compiler, run, recorded and replayed.
 
+mod card;
 #[path = "conformance/mod.rs"]
 mod conformance;
 
@@ -20,6 +21,8 @@ fn fillrate() -> Command {
             command.env_remove(name);
         }
     }
+    // An older library may lie beside the program.
+    command.env("FILLRATE_LIB_DIR", library_folder());
     command.current_dir(root());
     command
 }
@@ -249,6 +252,7 @@ fn dependencies_point_one_way() {
         ("fillrate-guard", &[]),
         ("fillrate-engine", &["fillrate-simd"]),
         ("fillrate-glide", &["fillrate-engine", "fillrate-call"]),
+        ("fillrate-settings", &["fillrate-glide", "fillrate-engine", "fillrate-simd"]),
         ("fillrate-raw", &["fillrate-engine", "fillrate-call"]),
         ("fillrate-trace", &["fillrate-call"]),
         ("fillrate-player", &["fillrate-call", "fillrate-trace"]),

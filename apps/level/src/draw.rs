@@ -108,7 +108,7 @@ impl Renderer {
         if options.passes == 1 && options.card.units < 2 {
             bail!("{} has one texture unit: use two passes", options.card.name);
         }
-        let (device, card, check) = (options.device.clone(), options.card, options.check);
+        let (device, card, check) = (options.device.clone(), options.card.clone(), options.check);
         let config = GlideConfig { device, card, check, ..GlideConfig::default() };
         let mut glide = Context::new(config)?;
         glide.execute(&Call::GrGlideInit {});

@@ -64,6 +64,9 @@ struct Options {
     /// Write a video (y4m) into this file; - is the standard output
     #[arg(long, value_name = "FILE")]
     video: Option<PathBuf>,
+    /// Frames as on the monitor: with the board's gamma
+    #[arg(long)]
+    gamma: bool,
     /// Report every misuse of Glide
     #[arg(long)]
     check: bool,
@@ -146,7 +149,7 @@ fn run(options: &Options) -> Result<bool> {
 fn fly(options: &Options, level: &Level, renderers: &mut [Renderer]) -> Result<bool> {
     let path = Path::new(&level.spawns, [0.0, 0.0, 64.0]);
     let (from, to) = part(&options.part)?;
-    let mut output = Output::new(options.out.as_deref(), options.video.as_deref())?;
+    let mut output = Output::new(options.out.as_deref(), options.video.as_deref(), options.gamma)?;
     let (width, height) = renderers[0].size();
     let mut stats = Vec::new();
     let mut difference = Difference::default();

@@ -5,23 +5,24 @@ use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use fillrate_glide::Shown;
+use fillrate_glide::{ScanOut, Shown};
 use fillrate_player::{Frame, Pixels};
 
 /// Where frames go.
 pub struct Output {
     folder: Option<PathBuf>,
     video: Option<Box<dyn Write>>,
+    scan_out: ScanOut,
     frames: u64,
 }
 
 impl Output {
     /// Frames go into `folder` as PNG and to `video` as y4m ("-" is the
-    /// standard output).
+    /// standard output); with `gamma`, as the monitor shows them.
     ///
     /// # Errors
     /// Where they cannot be made.
-    pub fn new(folder: Option<&Path>, video: Option<&Path>) -> Result<Output> {
+    pub fn new(folder: Option<&Path>, video: Option<&Path>, gamma: bool) -> Result<Output> {
         if let Some(folder) = folder {
             std::fs::create_dir_all(folder)
                 .with_context(|| format!("cannot create {}", folder.display()))?;
@@ -37,7 +38,8 @@ impl Output {
                 Some(Box::new(BufWriter::new(file)) as Box<dyn Write>)
             }
         };
-        Ok(Output { folder: folder.map(Path::to_path_buf), video, frames: 0 })
+        let scan_out = ScanOut { gamma, filter: false };
+        Ok(Output { folder: folder.map(Path::to_path_buf), video, scan_out, frames: 0 })
     }
 
     /// Whether frames are wanted at all.
@@ -51,7 +53,9 @@ impl Output {
     /// Those of the file system.
     pub fn frame(&mut self, shown: Shown) -> Result<()> {
         let (width, height) = (shown.width, shown.height);
-        let frame = Frame::new(width, height, Pixels::Rgb565(shown.pixels))?;
+        let pixels = shown.on_monitor(self.scan_out);
+        let rgba = pixels.iter().flat_map(|&[r, g, b]| [r, g, b, 255]).collect();
+        let frame = Frame::new(width, height, Pixels::Rgba8(rgba))?;
         if let Some(folder) = &self.folder {
             frame.save_png(&folder.join(format!("frame_{:05}.png", self.frames)))?;
         }

@@ -23,7 +23,8 @@ pub struct FrameLog {
     log: File,
     every: u64,
     started: Instant,
-    before: Drawn,
+    /// What each screen had drawn at its last frame.
+    before: Vec<Drawn>,
 }
 
 impl FrameLog {
@@ -35,34 +36,58 @@ impl FrameLog {
     pub fn new(folder: PathBuf, every: u64) -> std::io::Result<FrameLog> {
         std::fs::create_dir_all(&folder)?;
         let log = File::create(folder.join("frames.jsonl"))?;
-        Ok(FrameLog { folder, log, every, started: Instant::now(), before: Drawn::default() })
+        Ok(FrameLog { folder, log, every, started: Instant::now(), before: Vec::new() })
     }
 
-    /// Notes a frame, and writes it where it is its turn.
+    /// Notes a frame of the only screen, and writes it where it is its turn.
     ///
     /// # Errors
     /// Those of the file system.
     pub fn frame(&mut self, number: u64, frame: &Frame, now: Drawn) -> std::io::Result<()> {
+        self.frame_of_screen(number, 0, frame, frame, now)
+    }
+
+    /// Notes a frame of one of several screens, and writes it where it is its turn: `picture`,
+    /// which may differ from the frame that is noted. Frames of all screens are counted together;
+    /// files of screens after the first say so in their names.
+    ///
+    /// # Errors
+    /// Those of the file system.
+    pub fn frame_of_screen(
+        &mut self,
+        number: u64,
+        screen: usize,
+        frame: &Frame,
+        picture: &Frame,
+        now: Drawn,
+    ) -> std::io::Result<()> {
         let nanoseconds = self.started.elapsed().as_nanos();
+        if self.before.len() <= screen {
+            self.before.resize(screen + 1, Drawn::default());
+        }
+        let before = core::mem::replace(&mut self.before[screen], now);
         // Counters restart where the program resets them.
         let since = |now: u64, before: u64| now.checked_sub(before).unwrap_or(now);
         writeln!(
             self.log,
-            "{{\"frame\":{number},\"width\":{},\"height\":{},\"hash\":\"{:016x}\",\
+            "{{\"frame\":{number},\"board\":{screen},\"width\":{},\"height\":{},\"hash\":\"{:016x}\",\
              \"triangles\":{},\"pixels\":{},\"nanoseconds\":{nanoseconds}}}",
             frame.width(),
             frame.height(),
             frame.hash(),
-            since(now.triangles, self.before.triangles),
-            since(now.pixels, self.before.pixels),
+            since(now.triangles, before.triangles),
+            since(now.pixels, before.pixels),
         )?;
         if self.every > 0 && number.is_multiple_of(self.every) {
-            let file = self.folder.join(format!("frame_{number:05}.png"));
+            let suffix = match screen {
+                0 => String::new(),
+                screen => format!("_board{screen}"),
+            };
+            let file = self.folder.join(format!("frame_{number:05}{suffix}.png"));
             let mut bytes = Vec::new();
-            frame.write_png(&mut bytes).map_err(std::io::Error::other)?;
+            picture.write_png(&mut bytes).map_err(std::io::Error::other)?;
             std::fs::write(file, bytes)?;
         }
-        self.before = now;
         self.started = Instant::now();
         Ok(())
     }

@@ -12,7 +12,6 @@ mod linear;
 mod manager;
 mod multipass;
 mod session;
-mod settings;
 mod state;
 mod texture;
 mod texture_file;

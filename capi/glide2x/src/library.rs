@@ -79,6 +79,11 @@ calls! {
     grSstResetPerfStats() = Call::GrSstResetPerfStats {};
     /// Resets the triangle counters.
     grResetTriStats() = Call::GrResetTriStats {};
+    /// Draws the start-up picture.
+    grSplash(x: f32, y: f32, width: f32, height: f32, frame: u32) =
+        Call::GrSplash { x, y, width, height, frame };
+    /// Switches the mark in the corner of every frame.
+    grGlideShamelessPlug(on: i32) = Call::GrGlideShamelessPlug { on };
     /// Writes a raw register.
     grSstConfigPipeline(chip: i32, register: u32, value: u32) =
         Call::GrSstConfigPipeline { chip, register, value };
@@ -148,7 +153,7 @@ pub unsafe extern "C" fn grSstQueryBoards(configuration: *mut i32) -> i32 {
 pub unsafe extern "C" fn grSstQueryHardware(configuration: *mut HwConfiguration) -> i32 {
     guard(0, || {
         let session = session();
-        let card = session.context.config().card;
+        let card = &session.context.config().card;
         let tmu = TmuConfig { revision: 1, megabytes: card.texture as i32 };
         let board = BoardConfig {
             kind: 0,
@@ -240,10 +245,10 @@ pub extern "C" fn grSstScreenHeight() -> u32 {
     guard(0, || ask(|context| context.screen_size().1))
 }
 
-/// Whether the board is busy: calls are answered when they are done.
+/// Whether the board is busy: while a swap waits for its retrace.
 #[unsafe(no_mangle)]
 pub extern "C" fn grSstIsBusy() -> i32 {
-    0
+    guard(0, || i32::from(ask(|context| context.is_busy())))
 }
 
 /// The status register.
@@ -258,10 +263,10 @@ pub extern "C" fn grSstVideoLine() -> u32 {
     guard(0, || ask(|context| context.video_line()))
 }
 
-/// As `grSstVideoLine`: a count that moves.
+/// Retraces since the board was opened.
 #[unsafe(no_mangle)]
 pub extern "C" fn grSstVRetraceTicks() -> u32 {
-    grSstVideoLine()
+    guard(0, || ask(|context| context.retraces()))
 }
 
 /// Whether the beam is in vertical retrace.

@@ -3,11 +3,11 @@
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
 use fillrate_capture::{FrameLog, Recorder};
-use fillrate_glide::{Call, Context, GlideConfig, GrVertex, Report};
+use fillrate_glide::{Call, Context, GlideConfig, GrVertex, Report, ScanOut};
+use fillrate_settings::Settings;
 
-use crate::capture::{drawn, frame_of};
+use crate::capture::{drawn, frame_of, on_monitor};
 use crate::manager::Records;
-use crate::settings::Settings;
 
 /// The type of an error callback: message, and whether it is fatal.
 pub type ErrorCallback = Option<unsafe extern "C" fn(*const std::ffi::c_char, i32)>;
@@ -18,6 +18,7 @@ pub struct Session {
     pub context: Context,
     recorder: Option<Recorder>,
     capture: Option<FrameLog>,
+    scan_out: ScanOut,
     exit_after: Option<u64>,
     frames: u64,
     /// The program's callback.
@@ -39,8 +40,10 @@ pub fn session() -> MutexGuard<'static, Session> {
 pub fn call(call: Call) -> u32 {
     let mut session = session();
     session.record(&call);
+    let swaps = session.context.swaps();
     let result = session.context.execute(&call);
-    if let Call::GrBufferSwap { .. } = call {
+    // A register write can swap, too.
+    if session.context.swaps() > swaps {
         session.frame_shown();
     }
     if let Call::GrGlideShutdown {} = call {
@@ -100,8 +103,11 @@ fn tell_one(callback: ErrorCallback, report: &Report) {
 
 impl Session {
     fn new() -> Session {
-        let settings = Settings::from_environment();
-        let (card, boards) = (settings.glide.card.name, settings.glide.boards);
+        let settings = Settings::load();
+        for problem in &settings.problems {
+            eprintln!("fillrate: {problem}");
+        }
+        let described = settings.glide.describe();
         let context = Context::new(settings.glide).or_else(|error| {
             eprintln!("fillrate: {error}; the default board is used");
             Context::new(GlideConfig::default())
@@ -111,8 +117,12 @@ impl Session {
             capture.map_err(|error| eprintln!("fillrate: cannot capture frames: {error}")).ok()
         });
         let recorder = settings.trace.and_then(|file| {
-            let about = [("card", card), ("boards", &boards.to_string())];
-            let recorder = Recorder::new(&file, "glide2x", &about);
+            let config: Vec<(String, &str)> = described
+                .iter()
+                .map(|(key, value)| (format!("config.{key}"), value.as_str()))
+                .collect();
+            let config: Vec<(&str, &str)> = config.iter().map(|(k, v)| (k.as_str(), *v)).collect();
+            let recorder = Recorder::new(&file, "glide2x", &config);
             recorder.map_err(|error| eprintln!("fillrate: cannot record: {error}")).ok()
         });
         if recorder.is_some() {
@@ -123,6 +133,7 @@ impl Session {
             context: context.expect("the default board is valid"),
             recorder,
             capture,
+            scan_out: settings.scan_out,
             exit_after: settings.exit_after,
             frames: 0,
             callback: None,
@@ -152,13 +163,18 @@ impl Session {
     }
 
     fn note_frame(&mut self) {
-        let Some(frame) = self.context.shown().and_then(frame_of) else { return };
-        let counters = drawn(&self.context.counters());
-        if let Some(capture) = &mut self.capture
-            && let Err(error) = capture.frame(self.frames, &frame, counters)
-        {
-            eprintln!("fillrate: frames are no longer captured: {error}");
-            self.capture = None;
+        let Some(shown) = self.context.shown() else { return };
+        let Some(frame) = frame_of(&shown) else { return };
+        let (counters, board) = (self.context.total_counters(), self.context.current_board());
+        if let Some(capture) = &mut self.capture {
+            let monitor = on_monitor(&shown, self.scan_out);
+            let picture = monitor.as_ref().unwrap_or(&frame);
+            let noted =
+                capture.frame_of_screen(self.frames, board, &frame, picture, drawn(&counters));
+            if let Err(error) = noted {
+                eprintln!("fillrate: frames are no longer captured: {error}");
+                self.capture = None;
+            }
         }
         if let Some(recorder) = &mut self.recorder
             && let Err(error) = recorder.frame(&frame)

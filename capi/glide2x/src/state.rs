@@ -4,7 +4,7 @@ use fillrate_glide::Call;
 use fillrate_guard::{guard, read};
 
 use crate::library::calls;
-use crate::session::call;
+use crate::session::{ask, call};
 
 calls! {
     /// Fills the clip window.
@@ -84,8 +84,8 @@ pub unsafe extern "C" fn grFogTable(table: *const [u8; 64]) {
     })
 }
 
-/// Swaps that wait for their turn: none, a swap is done when it returns.
+/// Swaps that wait for their retrace.
 #[unsafe(no_mangle)]
 pub extern "C" fn grBufferNumPending() -> i32 {
-    0
+    guard(0, || ask(|context| context.pending_swaps()) as i32)
 }

@@ -1,39 +1,12 @@
-//! The utility library's parts that need no board, and what is still to come.
+//! The utility library's parts that need no board.
 
-use std::collections::BTreeSet;
 use std::ffi::c_char;
-use std::sync::{Mutex, PoisonError};
 
 use fillrate_glide::{Call, gu};
 use fillrate_guard::{bytes, guard, text, write};
 
 use crate::library::calls;
 use crate::session::{call, null};
-
-/// Says once that an entry point does nothing yet.
-pub(crate) fn unsupported(function: &'static str) {
-    static TOLD: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
-    if TOLD.lock().unwrap_or_else(PoisonError::into_inner).insert(function) {
-        eprintln!("fillrate: {function} is not supported yet; see docs/unsupported.md");
-    }
-}
-
-/// Exports that report themselves and do nothing.
-macro_rules! not_yet {
-    ($($name:ident($($type:ty),*) $(-> $result:ty = $value:expr)?;)*) => {$(
-        /// Not supported yet: reports itself, does nothing, returns failure.
-        #[unsafe(no_mangle)]
-        pub extern "C" fn $name($(_: $type),*) $(-> $result)? {
-            guard((), || unsupported(stringify!($name)));
-            $($value)?
-        }
-    )*};
-}
-
-not_yet! {
-    grGlideShamelessPlug(i32);
-    grSplash(f32, f32, f32, f32, u32);
-}
 
 /// The w of a fog table entry.
 #[unsafe(no_mangle)]

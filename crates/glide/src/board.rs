@@ -3,15 +3,18 @@
 use std::sync::Arc;
 
 use fillrate_engine::state::{FogTable, MAX_TMUS, Origin};
-use fillrate_engine::{Device, DrawState, PixelFormat, SurfaceId, Texture};
+use fillrate_engine::{Counters, Device, DrawState, PixelFormat, Registers, SurfaceId, Texture};
 
 use crate::card::{Card, RESOLUTIONS};
+use crate::clock::Clock;
 use crate::enums::{MIPMAP_DISABLE, RESOLUTION_NONE};
 use crate::gu::MipMaps;
 use crate::lfb::Lfb;
 use crate::registers::{FbiRegisters, TmuRegisters, fbz};
+use crate::scanout::GammaTable;
 use crate::texture::TextureMemory;
 use crate::translate::{draw_state, uses_texel};
+use crate::variables::Variables;
 use crate::vertex::VertexRules;
 
 /// What a texture unit's registers do not say.
@@ -49,6 +52,15 @@ pub(crate) struct Buffers {
     pub aux: Option<SurfaceId>,
 }
 
+/// What the engine's counters are off by, where one triangle took several
+/// launches.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Correction {
+    pub pixels_in: i64,
+    pub submitted: i64,
+    pub drawn: i64,
+}
+
 /// A board and everything on it.
 #[derive(Debug)]
 pub(crate) struct Board {
@@ -58,7 +70,9 @@ pub(crate) struct Board {
     pub tmus: Vec<TmuRegisters>,
     pub settings: Settings,
     pub fog_table: FogTable,
-    pub gamma: f32,
+    /// Red, green, blue.
+    pub gamma: [GammaTable; 3],
+    pub filter_thresholds: [u8; 3],
     pub memories: Vec<TextureMemory>,
     /// The texture manager of the utility library.
     pub mip_maps: MipMaps,
@@ -66,35 +80,47 @@ pub(crate) struct Board {
     pub lfb: Lfb,
     /// Swaps since the board was opened.
     pub swaps: u64,
-    /// A clock that moves by a step whenever somebody looks.
-    pub ticks: u32,
+    pub clock: Clock,
+    /// The triangle registers as raw writes left them; those that Glide's own
+    /// calls would leave are not kept.
+    pub set_up: Registers,
+    pub correction: Correction,
+    /// Counters at the last reset of the pixel and of the triangle counters.
+    pub counted: [Counters; 2],
     /// Registers changed since the engine was told.
     pub dirty: bool,
     /// How vertices are read, while not dirty.
     pub rules: VertexRules,
     pub dither_subtract: bool,
+    /// Drop triangles with a corner out of range.
+    pub bounds_check: bool,
 }
 
 impl Board {
-    pub fn new(card: Card, device: Device) -> Board {
+    pub fn new(card: Card, device: Device, variables: &Variables) -> Board {
         let memory = || TextureMemory::new(card.texture_bytes());
         Board {
-            card,
             device,
             fbi: FbiRegisters::default(),
             tmus: vec![TmuRegisters::default(); card.units],
             settings: default_settings(0, (0, 0)),
             fog_table: FogTable::default(),
-            gamma: 1.7,
+            gamma: variables.gamma_tables(),
+            filter_thresholds: variables.filter_thresholds,
             memories: (0..card.units).map(|_| memory()).collect(),
             mip_maps: MipMaps::new(card.units),
+            card,
             buffers: None,
             lfb: Lfb::default(),
             swaps: 0,
-            ticks: 0,
+            clock: Clock::default(),
+            set_up: Registers::default(),
+            correction: Correction::default(),
+            counted: [Counters::default(); 2],
             dirty: true,
             rules: VertexRules::default(),
-            dither_subtract: true,
+            dither_subtract: !variables.no_dither_subtraction,
+            bounds_check: variables.bounds_check,
         }
     }
 
@@ -106,7 +132,10 @@ impl Board {
     ///
     /// Source: G246, `grSstWinOpen`.
     pub fn open(&mut self, resolution: i32, origin: i32, colors: i32, aux: i32) -> bool {
-        if resolution == RESOLUTION_NONE || !(2..=3).contains(&colors) || !(0..=1).contains(&aux) {
+        // There is one buffer besides the two: a third colour buffer, or the
+        // auxiliary one.
+        let buffers = matches!((colors, aux), (2, 0 | 1) | (3, 0));
+        if resolution == RESOLUTION_NONE || !buffers {
             return false;
         }
         let Some(&(width, height)) =
@@ -123,8 +152,11 @@ impl Board {
         self.buffers = Some(buffers);
         self.swaps = 0;
         self.fog_table = FogTable::default();
-        self.gamma = 1.7;
+        self.clock = Clock::new(height);
+        self.set_up = Registers::default();
         self.device.reset_counters();
+        self.correction = Correction::default();
+        self.counted = [Counters::default(); 2];
         self.mip_maps.reset();
         self.set_defaults(origin, (width, height));
         true
@@ -150,6 +182,7 @@ impl Board {
     pub fn close(&mut self) {
         let Some(buffers) = self.buffers.take() else { return };
         self.lfb = Lfb::default();
+        self.clock = Clock::default();
         for id in buffers.colors.into_iter().chain(buffers.aux) {
             // They were made by this device and are destroyed once.
             let _ = self.device.destroy_surface(id);
@@ -196,6 +229,41 @@ impl Board {
             }
         }
         textures
+    }
+
+    /// Everything counted since the board was opened. A flush.
+    pub fn totals(&mut self) -> Counters {
+        let counted = self.device.counters();
+        let by = |count: u64, correction: i64| count.saturating_add_signed(correction);
+        Counters {
+            pixels_in: by(counted.pixels_in, self.correction.pixels_in),
+            triangles_in: by(counted.triangles_in, self.correction.submitted),
+            triangles_drawn: by(counted.triangles_drawn, self.correction.drawn),
+            ..counted
+        }
+    }
+
+    /// What was counted since the last resets.
+    pub fn counters(&mut self) -> Counters {
+        let now = self.totals();
+        let [pixels, triangles] = &self.counted;
+        Counters {
+            pixels_in: now.pixels_in - pixels.pixels_in,
+            chroma_fail: now.chroma_fail - pixels.chroma_fail,
+            depth_fail: now.depth_fail - pixels.depth_fail,
+            alpha_fail: now.alpha_fail - pixels.alpha_fail,
+            pixels_out: now.pixels_out - pixels.pixels_out,
+            triangles_in: now.triangles_in - triangles.triangles_in,
+            triangles_drawn: now.triangles_drawn - triangles.triangles_drawn,
+        }
+    }
+
+    pub fn reset_pixel_counters(&mut self) {
+        self.counted[0] = self.totals();
+    }
+
+    pub fn reset_triangle_counters(&mut self) {
+        self.counted[1] = self.totals();
     }
 
     /// Row order of drawing.

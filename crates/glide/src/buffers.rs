@@ -5,6 +5,7 @@ use fillrate_engine::{ClearValues, FlushReason};
 
 use crate::board::Board;
 use crate::registers::fbz;
+use crate::scanout::{GammaTable, gamma_table};
 
 /// What the board shows.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -15,6 +16,10 @@ pub struct Shown {
     pub height: u32,
     /// 565, row by row from the top left; before gamma and filter.
     pub pixels: Vec<u16>,
+    /// The gamma tables of red, green and blue.
+    pub gamma: [GammaTable; 3],
+    /// The screen filter's thresholds for red, green and blue.
+    pub thresholds: [u8; 3],
 }
 
 impl Board {
@@ -24,22 +29,30 @@ impl Board {
     /// alpha, else depth where depth buffering is on.
     pub(crate) fn clear(&mut self, color: u32, alpha: u8, depth: u16) {
         self.update();
-        let Some(buffers) = &self.buffers else { return };
         let on = |bit: u32| self.fbi.fbz_mode & bit != 0;
-        let dither = match (on(fbz::DITHER), on(fbz::DITHER_2X2)) {
-            (false, _) => Dither::Off,
-            (true, true) => Dither::Ordered2x2,
-            (true, false) => Dither::Ordered4x4,
-        };
         let aux = match (on(fbz::AUX_WRITE), on(fbz::ALPHA_PLANES), on(fbz::DEPTH_ENABLE)) {
             (true, true, _) => Some(u16::from(alpha)),
             (true, false, true) => Some(depth),
             _ => None,
         };
-        let values =
-            ClearValues { color: on(fbz::RGB_WRITE).then(|| (self.color(color), dither)), aux };
+        let color = on(fbz::RGB_WRITE).then(|| (self.color(color), self.dither()));
+        self.fill(ClearValues { color, aux });
+    }
+
+    /// Fills the clip window of the current target.
+    pub(crate) fn fill(&mut self, values: ClearValues) {
+        let Some(buffers) = &self.buffers else { return };
         let rect = self.clip_on_screen(buffers.height);
         self.device.clear(rect, values);
+    }
+
+    /// The dithering in use.
+    pub(crate) fn dither(&self) -> Dither {
+        match (self.fbi.fbz_mode & fbz::DITHER != 0, self.fbi.fbz_mode & fbz::DITHER_2X2 != 0) {
+            (false, _) => Dither::Off,
+            (true, true) => Dither::Ordered2x2,
+            (true, false) => Dither::Ordered4x4,
+        }
     }
 
     /// The clip window in screen rows.
@@ -54,14 +67,16 @@ impl Board {
         Rect::new(field(lr, 16), y0, field(lr, 0), y1)
     }
 
-    /// Shows the back buffer. Contents change places, nothing is copied.
-    pub(crate) fn swap(&mut self) {
+    /// Shows the back buffer, on the clock after `interval` retraces.
+    /// Contents change places, nothing is copied.
+    pub(crate) fn swap(&mut self, interval: u32) {
         self.device.flush(FlushReason::Swap);
         if let Some(buffers) = &mut self.buffers {
             buffers.colors.rotate_left(1);
             self.swaps += 1;
             self.dirty = true;
         }
+        self.clock.swap(interval);
     }
 
     /// The displayed buffer.
@@ -71,31 +86,30 @@ impl Board {
         let mut pixels = vec![0; (width * height) as usize];
         let all = Rect::new(0, 0, width, height);
         self.device.read16(front, all, &mut pixels, width as usize).ok()?;
-        Some(Shown { width, height, pixels })
+        let (gamma, thresholds) = (self.gamma, self.filter_thresholds);
+        Some(Shown { width, height, pixels, gamma, thresholds })
     }
 
-    /// Moves the clock and returns the line being shown, 0 in retrace.
-    pub(crate) fn video_line(&mut self) -> u32 {
-        let height = self.buffers.as_ref().map_or(0, |buffers| buffers.height);
-        // About a tenth of the lines of a frame are retrace.
-        let total = height + height / 10 + 1;
-        self.ticks = (self.ticks + 7) % total;
-        if self.ticks < height { self.ticks } else { 0 }
+    /// Sets the gamma of all channels; others than positive numbers are
+    /// refused.
+    pub(crate) fn set_gamma(&mut self, gamma: f32) -> bool {
+        let valid = gamma > 0.0 && gamma.is_finite();
+        if valid {
+            self.gamma = [gamma_table(gamma); 3];
+        }
+        valid
     }
 
-    /// Whether the beam is in vertical retrace; moves the clock.
-    pub(crate) fn in_retrace(&mut self) -> bool {
-        self.video_line();
-        let height = self.buffers.as_ref().map_or(0, |buffers| buffers.height);
-        self.ticks >= height
-    }
-
-    /// The idle status register: bit 6 clear in retrace, the displayed buffer
-    /// in bits 11..10.
+    /// The status register: room in both queues, bit 6 clear in retrace, busy
+    /// bits while a swap waits, the displayed buffer in bits 11..10, waiting
+    /// swaps in bits 30..28.
     pub(crate) fn status(&mut self) -> u32 {
-        let retrace = if self.in_retrace() { 0 } else { 1 << 6 };
+        self.clock.look();
+        let retrace = if self.clock.in_retrace() { 0 } else { 1 << 6 };
+        let pending = self.clock.pending();
+        let busy = if pending > 0 { 1 << 7 | 1 << 9 } else { 0 };
         let count = self.buffers.as_ref().map_or(1, |buffers| buffers.colors.len() as u64);
-        let displayed = (self.swaps % count) as u32;
-        0x0fff_f03f | retrace | displayed << 10
+        let displayed = (self.clock.swaps_done() % count) as u32;
+        0x0fff_f03f | retrace | busy | displayed << 10 | pending << 28
     }
 }

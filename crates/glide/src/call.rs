@@ -35,6 +35,10 @@ value_enum! {
         11 => GrResetTriStats {},
         /// Writes a raw register.
         12 => GrSstConfigPipeline { chip: i32, register: u32, value: u32 },
+        /// Draws the start-up picture: one frame, or all of it for frame 0.
+        13 => GrSplash { x: f32, y: f32, width: f32, height: f32, frame: u32 },
+        /// Switches the mark in the corner.
+        14 => GrGlideShamelessPlug { on: i32 },
         /// Fills the clip window.
         20 => GrBufferClear { color: u32, alpha: u8, depth: u16 },
         /// Shows the back buffer.

@@ -1,41 +1,60 @@
 //! Boards as data.
 
+use std::borrow::Cow;
+
 /// The memory and units of a board.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Card {
     /// The name that configuration uses.
-    pub name: &'static str,
-    /// Frame buffer memory in MB: 1, 2 or 4.
+    pub name: Cow<'static, str>,
+    /// Frame buffer memory in MB: 1, 2 or 4; of each half where two are
+    /// interleaved.
     pub frame_buffer: u32,
     /// Texture units, 1 to 3.
     pub units: usize,
     /// Memory of each texture unit in MB: 1, 2 or 4.
     pub texture: u32,
-    /// Two boards interleaving scan lines, which act as one.
+    /// Two boards that draw every other line each and act as one. They have
+    /// twice the frame buffer, hold the same textures, and cannot be read
+    /// through the linear frame buffer.
     pub interleaved: bool,
 }
 
-/// Every board that can be chosen. The first is the default: the largest that
-/// programs with the standard vertex layout can use.
+/// Every built-in board. The first is the default: the largest that programs
+/// with the standard vertex layout can use.
 ///
 /// Source: SST1, configurations; sizes as boards were sold.
-pub const CARDS: [Card; 6] = [
+pub static CARDS: [Card; 9] = [
     Card::new("voodoo-8mb-2tmu", 4, 2, 2),
     Card::new("voodoo-4mb", 2, 1, 2),
     Card::new("voodoo-6mb", 2, 1, 4),
     Card::new("voodoo-6mb-2tmu", 2, 2, 2),
     Card::new("arcade-12mb-2tmu", 4, 2, 4),
     Card::new("arcade-16mb-3tmu", 4, 3, 4),
+    Card::new("voodoo-sli-8mb", 2, 1, 2).twice(),
+    Card::new("voodoo-sli-12mb-2tmu", 2, 2, 2).twice(),
+    Card::new("arcade-sli-24mb-2tmu", 4, 2, 4).twice(),
 ];
 
 impl Card {
     const fn new(name: &'static str, frame_buffer: u32, units: usize, texture: u32) -> Card {
-        Card { name, frame_buffer, units, texture, interleaved: false }
+        Card { name: Cow::Borrowed(name), frame_buffer, units, texture, interleaved: false }
     }
 
-    /// The board of that name.
+    const fn twice(mut self) -> Card {
+        self.interleaved = true;
+        self
+    }
+
+    /// The built-in board of that name.
     pub fn by_name(name: &str) -> Option<Card> {
-        CARDS.into_iter().find(|card| card.name == name)
+        CARDS.iter().find(|card| card.name == name).cloned()
+    }
+
+    /// Whether its sizes are ones that the chips know.
+    pub fn is_valid(&self) -> bool {
+        let megabytes = |mb: u32| matches!(mb, 1 | 2 | 4);
+        (1..=3).contains(&self.units) && megabytes(self.frame_buffer) && megabytes(self.texture)
     }
 
     /// Bytes of each texture unit.
@@ -46,7 +65,7 @@ impl Card {
 
 impl Default for Card {
     fn default() -> Card {
-        CARDS[0]
+        Card::new("voodoo-8mb-2tmu", 4, 2, 2)
     }
 }
 
@@ -74,10 +93,11 @@ impl Card {
     /// for two buffers in all, and 960x720 does not fit.
     pub fn holds(&self, resolution: usize, buffers: u32) -> bool {
         let Some((width, height)) = RESOLUTIONS.get(resolution) else { return false };
-        // Buffers are allocated in tiles of 64x16 pixels of two bytes.
+        // Of interleaved boards, each holds every other line. Buffers are
+        // allocated in tiles of 64x16 pixels of two bytes.
+        let height = if self.interleaved { height / 2 } else { *height };
         let one = width.div_ceil(64) * 64 * height.div_ceil(16) * 16 * 2;
-        let scale = if self.interleaved { 2 } else { 1 };
-        one * buffers <= (self.frame_buffer << 20) * scale
+        one * buffers <= self.frame_buffer << 20
     }
 }
 
@@ -96,5 +116,24 @@ mod tests {
         }
         assert!(!card.holds(9, 2));
         assert!(!card.holds(12, 1));
+    }
+
+    #[test]
+    fn four_megabytes_and_two_halves_hold_three_buffers_of_nearly_everything() {
+        let whole = Card::by_name("voodoo-8mb-2tmu").unwrap();
+        let halves = Card::by_name("voodoo-sli-8mb").unwrap();
+        for resolution in 0..12 {
+            assert!(whole.holds(resolution, 3) && halves.holds(resolution, 2), "{resolution}");
+            assert_eq!(halves.holds(resolution, 3), resolution != 9, "{resolution}");
+        }
+    }
+
+    #[test]
+    fn built_in_boards_are_valid_and_their_names_differ() {
+        assert_eq!(CARDS[0], Card::default());
+        for (i, card) in CARDS.iter().enumerate() {
+            assert!(card.is_valid());
+            assert_eq!(Card::by_name(&card.name).as_ref(), Some(&CARDS[i]));
+        }
     }
 }

@@ -7,10 +7,12 @@ use fillrate_engine::{Counters, Device, DeviceConfig};
 use crate::board::Board;
 use crate::buffers::Shown;
 use crate::card::Card;
+use crate::clock::Clock;
 use crate::error::{GlideError, Report, historic_name};
 use crate::gu::MultiPass;
 use crate::lfb::LfbInfo;
 use crate::state::STATE_BYTES;
+use crate::variables::Variables;
 use crate::vertex::GrVertex;
 
 /// The most boards.
@@ -27,6 +29,9 @@ pub struct GlideConfig {
     pub boards: usize,
     /// Reports every misuse that the documents name.
     pub check: bool,
+    /// Shows the start-up picture when a board is opened, unless
+    /// `FX_GLIDE_NO_SPLASH` is among the variables.
+    pub splash: bool,
     /// The original library's environment variables, by name.
     pub variables: BTreeMap<String, String>,
 }
@@ -38,10 +43,58 @@ impl Default for GlideConfig {
             card: Card::default(),
             boards: 1,
             check: false,
+            splash: false,
             variables: BTreeMap::new(),
         }
     }
 }
+
+impl GlideConfig {
+    /// The settings that pictures depend on, as keys and values.
+    pub fn describe(&self) -> Vec<(String, String)> {
+        let card = &self.card;
+        let numbers = [
+            ("card", card.name.to_string()),
+            ("card.frame_buffer", card.frame_buffer.to_string()),
+            ("card.units", card.units.to_string()),
+            ("card.texture", card.texture.to_string()),
+            ("card.interleaved", u8::from(card.interleaved).to_string()),
+            ("boards", self.boards.to_string()),
+            ("splash", u8::from(self.splash).to_string()),
+        ];
+        let variables = self.variables.iter();
+        let variables = variables.map(|(k, v)| (format!("{VARIABLE_PREFIX}{k}"), v.clone()));
+        numbers.into_iter().map(|(k, v)| (k.to_string(), v)).chain(variables).collect()
+    }
+
+    /// The configuration that [`GlideConfig::describe`] gave; what is missing
+    /// or unknown has its built-in value.
+    pub fn from_description(pairs: impl IntoIterator<Item = (String, String)>) -> GlideConfig {
+        let mut config = GlideConfig::default();
+        for (key, value) in pairs {
+            let number = value.parse::<u32>().ok();
+            let set = |to: &mut u32| *to = number.unwrap_or(*to);
+            match key.as_str() {
+                "card" => config.card.name = value.into(),
+                "card.frame_buffer" => set(&mut config.card.frame_buffer),
+                "card.units" => config.card.units = number.unwrap_or(1) as usize,
+                "card.texture" => set(&mut config.card.texture),
+                "card.interleaved" => config.card.interleaved = number == Some(1),
+                "boards" => config.boards = number.unwrap_or(1) as usize,
+                "splash" => config.splash = number == Some(1),
+                other => {
+                    if let Some(name) = other.strip_prefix(VARIABLE_PREFIX) {
+                        config.variables.insert(name.to_string(), value);
+                    }
+                }
+            }
+        }
+        config
+    }
+}
+
+/// Starts the keys of variables in a description.
+const VARIABLE_PREFIX: &str = "variable.";
 
 /// The library: boards, the current one, and what went wrong.
 #[derive(Debug)]
@@ -51,6 +104,9 @@ pub struct Context {
     pub(crate) current: usize,
     pub(crate) initialized: bool,
     pub(crate) reports: Vec<Report>,
+    pub(crate) variables: Variables,
+    /// The mark in the corner is drawn at every swap.
+    pub(crate) plug: bool,
     pub(crate) multipass: MultiPass,
 }
 
@@ -63,21 +119,19 @@ impl Context {
     /// # Errors
     /// [`GlideError::Card`] for memory sizes no board had.
     pub fn new(config: GlideConfig) -> Result<Context, GlideError> {
-        let card = &config.card;
-        let megabytes = |mb: u32| matches!(mb, 1 | 2 | 4);
-        if !(1..=3).contains(&card.units)
-            || !megabytes(card.frame_buffer)
-            || !megabytes(card.texture)
-        {
+        if !config.card.is_valid() {
             return Err(GlideError::Card);
         }
         let boards = Vec::new();
+        let variables = Variables::new(&config.variables);
         Ok(Context {
+            plug: variables.shameless_plug,
             config,
             boards,
             current: 0,
             initialized: false,
             reports: Vec::new(),
+            variables,
             multipass: MultiPass::default(),
         })
     }
@@ -93,13 +147,10 @@ impl Context {
             return;
         }
         self.initialized = true;
-        let no_subtraction = self.config.variables.contains_key("FX_GLIDE_NO_DITHER_SUB");
         for _ in 0..self.config.boards.clamp(1, MAX_BOARDS) {
             match Device::new(self.config.device.clone()) {
                 Ok(device) => {
-                    let mut board = Board::new(self.config.card, device);
-                    board.dither_subtract = !no_subtraction;
-                    self.boards.push(board);
+                    self.boards.push(Board::new(self.config.card.clone(), device, &self.variables));
                 }
                 Err(error) => self.report("grGlideInit", error.to_string()),
             }
@@ -199,9 +250,15 @@ impl Context {
         buffers.map_or((0, 0), |buffers| (buffers.width, buffers.height))
     }
 
-    /// Pixel and triangle counters of the current board.
+    /// Pixel and triangle counters of the current board since their resets.
+    /// The board's registers have 24 bits.
     pub fn counters(&mut self) -> Counters {
-        self.boards.get_mut(self.current).map_or_else(Counters::default, |b| b.device.counters())
+        self.boards.get_mut(self.current).map_or_else(Counters::default, Board::counters)
+    }
+
+    /// The same since the board was opened, whatever was reset.
+    pub fn total_counters(&mut self) -> Counters {
+        self.boards.get_mut(self.current).map_or_else(Counters::default, Board::totals)
     }
 
     /// The number of the current board.
@@ -269,17 +326,38 @@ impl Context {
         self.board("guFbReadRegion")?.read_old_region(buffer, at, size)
     }
 
-    /// The line being shown, 0 in retrace. A clock that moves by looking.
+    /// The line being shown, 0 in retrace. Looking moves the clock by a line.
     pub fn video_line(&mut self) -> u32 {
-        self.board("grSstVideoLine").map_or(0, Board::video_line)
+        self.look("grSstVideoLine").map_or(0, |clock| clock.video_line())
     }
 
-    /// Whether the beam is in vertical retrace.
+    /// Whether the beam is in vertical retrace; see [`Context::video_line`].
     pub fn in_retrace(&mut self) -> bool {
-        self.board("grSstVRetraceOn").is_some_and(Board::in_retrace)
+        self.look("grSstVRetraceOn").is_some_and(|clock| clock.in_retrace())
     }
 
-    /// The status register of an idle board.
+    /// Retraces since the board was opened; see [`Context::video_line`].
+    pub fn retraces(&mut self) -> u32 {
+        self.look("grSstVRetraceTicks").map_or(0, |clock| clock.retraces())
+    }
+
+    /// Swaps that wait for their retrace, 0 to 7; see [`Context::video_line`].
+    pub fn pending_swaps(&mut self) -> u32 {
+        self.look("grBufferNumPending").map_or(0, |clock| clock.pending())
+    }
+
+    /// Whether the board has something to do; see [`Context::video_line`].
+    pub fn is_busy(&mut self) -> bool {
+        self.look("grSstIsBusy").is_some_and(|clock| clock.pending() > 0)
+    }
+
+    fn look(&mut self, function: &str) -> Option<&Clock> {
+        let board = self.board(function)?;
+        board.clock.look();
+        Some(&board.clock)
+    }
+
+    /// The status register; see [`Context::video_line`].
     pub fn status(&mut self) -> u32 {
         self.board("grSstStatus").map_or(0, Board::status)
     }
@@ -288,5 +366,25 @@ impl Context {
     pub fn texture_memory(&self, tmu: i32) -> u32 {
         let index = usize::try_from(tmu).ok().filter(|&index| index < self.config.card.units);
         index.map_or(0, |_| self.config.card.texture_bytes() as u32)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::card::CARDS;
+
+    #[test]
+    fn descriptions_hold_what_pictures_depend_on() {
+        let mut config = GlideConfig { boards: 3, splash: true, ..GlideConfig::default() };
+        config.card = CARDS[8].clone();
+        config.variables.insert("SST_GAMMA".into(), "1.3".into());
+        let back = GlideConfig::from_description(config.describe());
+        assert_eq!(back.card, config.card);
+        assert_eq!((back.boards, back.splash), (3, true));
+        assert_eq!(back.variables, config.variables);
+        let nonsense = [("card.units", "x"), ("boards", "-1"), ("other", "")];
+        let nonsense = nonsense.map(|(k, v)| (k.to_string(), v.to_string()));
+        assert!(Context::new(GlideConfig::from_description(nonsense)).is_ok());
     }
 }

@@ -6,7 +6,7 @@ use crate::combine::{alpha_preset, color_preset, is_delta0, texture_preset};
 use crate::context::Context;
 use crate::enums::*;
 use crate::gu::{Attributes, MipMap, MultiPass, NCC_TABLE_BYTES, Sprite};
-use crate::registers::{fbz, lfb_mode, replace, switch};
+use crate::registers::{lfb_mode, replace, switch};
 use crate::texture::layout;
 use crate::texture_state::{TextureInfo, lod_bias_quarters};
 
@@ -74,6 +74,7 @@ impl Context {
             | Call::GuFbWriteRegion { .. }
             | Call::GrLfbBypassMode { .. } => return u32::from(self.lfb_call(call)),
             Call::GrBufferSwap { interval } => self.swap(*interval),
+            Call::GrGlideShamelessPlug { on } => self.plug = *on != 0,
             _ => self.board_call(call),
         }
         0
@@ -91,7 +92,9 @@ impl Context {
             self.check(false, "grSstWinOpen", "the library was not started");
             return false;
         };
-        if board.is_open() {
+        if board.is_open() && self.variables.ignore_reopen {
+            board.close();
+        } else if board.is_open() {
             self.check(false, "grSstWinOpen", "the board is open already");
             return false;
         }
@@ -100,17 +103,26 @@ impl Context {
             return false;
         }
         board.settings.color_format = format;
+        let resolution = self.variables.resolution.unwrap_or(resolution);
         let opened = board.open(resolution, origin, colors, aux);
-        if opened && let Some(gamma) = self.config.variables.get("SST_GAMMA") {
-            board.gamma = gamma.parse().ok().filter(|&g: &f32| g > 0.0).unwrap_or(board.gamma);
+        if opened {
+            board.gamma = self.variables.gamma_tables();
+            if self.config.splash && !self.variables.no_splash {
+                board.run_splash();
+            }
         }
         opened
     }
 
     fn swap(&mut self, interval: i32) {
         self.check((0..=255).contains(&interval), "grBufferSwap", "interval is outside 0..255");
+        let interval = self.variables.swap_interval.unwrap_or(interval.clamp(0, 255) as u32);
+        let plug = self.plug;
         if let Some(board) = self.board("grBufferSwap") {
-            board.swap();
+            if plug {
+                board.draw_plug();
+            }
+            board.swap(interval.min(255));
         }
     }
 
@@ -546,9 +558,14 @@ fn pixel_call(board: &mut Board, call: &Call) -> bool {
         Call::GrGlideSetState { ref state } => return board.restore(state),
         Call::GrHints { hint, mask } => return set_hint(board, hint, mask),
         Call::GrSstOrigin { origin } => return board.set_origin(origin),
-        Call::GrSstResetPerfStats {} | Call::GrResetTriStats {} => board.device.reset_counters(),
+        Call::GrSstIdle {} => board.clock.idle(),
+        Call::GrSstResetPerfStats {} => board.reset_pixel_counters(),
+        Call::GrResetTriStats {} => board.reset_triangle_counters(),
+        Call::GrSplash { x, y, width, height, frame } => {
+            board.draw_splash([x, y, width, height], frame);
+        }
         Call::GrSstConfigPipeline { chip, register, value } => {
-            return set_register(board, chip, register, value);
+            return board.write_register(chip, register, value);
         }
         Call::GrBufferClear { color, alpha, depth } => board.clear(color, alpha, depth),
         Call::GrRenderBuffer { buffer } => return board.set_render_buffer(buffer),
@@ -590,7 +607,7 @@ fn pixel_call(board: &mut Board, call: &Call) -> bool {
         Call::GrFogColorValue { color } => board.set_fog_color(color),
         Call::GrFogMode { mode } => return board.set_fog_mode(mode),
         Call::GrFogTable { ref table } => board.set_fog_table(table),
-        Call::GrGammaCorrectionValue { value } if value > 0.0 => board.gamma = value,
+        Call::GrGammaCorrectionValue { value } => return board.set_gamma(value),
         Call::GuColorCombineFunction { function } => return color_function(board, function),
         Call::GuAlphaSource { mode } => {
             let Some((f, factor, local, other, invert)) = alpha_preset(mode) else { return false };
@@ -616,53 +633,6 @@ fn set_hint(board: &mut Board, hint: i32, mask: u32) -> bool {
     }
     board.dirty = true;
     (0..=6).contains(&hint)
-}
-
-/// Writes a register by its index in words; those that only tune hardware are
-/// taken and do nothing.
-///
-/// Source: SST1, register map.
-fn set_register(board: &mut Board, chip: i32, register: u32, value: u32) -> bool {
-    board.dirty = true;
-    if chip != GR_FBI {
-        let Some(tmu) = usize::try_from(chip).ok().and_then(|i| board.tmus.get_mut(i)) else {
-            return false;
-        };
-        match register {
-            192 => tmu.texture_mode = value,
-            193 => tmu.t_lod = value,
-            194 => tmu.t_detail = value,
-            195..=198 => tmu.base[register as usize - 195] = value,
-            _ => {}
-        }
-        return true;
-    }
-    let fbi = &mut board.fbi;
-    match register {
-        65 => fbi.fbz_color_path = value,
-        66 => fbi.fog_mode = value,
-        67 => fbi.alpha_mode = value,
-        68 => fbi.fbz_mode = value,
-        69 => fbi.lfb_mode = value,
-        70 => fbi.clip_left_right = value,
-        71 => fbi.clip_bottom_top = value,
-        75 => fbi.fog_color = value,
-        76 => fbi.za_color = value,
-        77 => fbi.chroma_key = value,
-        80 => fbi.stipple = value,
-        81 => fbi.color0 = value,
-        82 => fbi.color1 = value,
-        88..=119 => {
-            // Two entries a word, each with its slope above it.
-            let at = (register as usize - 88) * 2;
-            let table = &mut board.fog_table;
-            [table.delta[at], table.value[at], table.delta[at + 1], table.value[at + 1]] =
-                value.to_le_bytes();
-        }
-        _ => {}
-    }
-    board.fbi.fbz_mode &= !(fbz::DRAW_BUFFER & (2 << 14));
-    true
 }
 
 /// Primitives. Always true.

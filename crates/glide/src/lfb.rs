@@ -160,6 +160,10 @@ impl Board {
             LFB_WRITE_ONLY => true,
             _ => return None,
         };
+        // Interleaved boards cannot be read.
+        if !writes && self.card.interleaved {
+            return None;
+        }
         let taken = if writes { &self.lfb.write } else { &self.lfb.read };
         let surface = self.surface_of(buffer)?;
         if taken.is_some() {
@@ -347,7 +351,21 @@ impl Board {
             .collect();
         let depths: Vec<u16> = all.map(|p| p.depth.unwrap_or(depth)).collect();
         let (x, y) = (x as u32, y as u32);
-        self.device.draw_pixels(&PixelRun { x, y, colors: &colors, depths: &depths });
+        let passes = match self.stipple_rotates() {
+            true => self.stipple_fragments(x, y, colors.len()),
+            false => vec![true; colors.len()],
+        };
+        // Runs that the stipple lets through; all in one where there is none.
+        let mut start = 0;
+        for run in passes.chunk_by(|a, b| a == b) {
+            let range = start..start + run.len();
+            start = range.end;
+            if run[0] {
+                let x = x + range.start as u32;
+                let (colors, depths) = (&colors[range.clone()], &depths[range]);
+                self.device.draw_pixels(&PixelRun { x, y, colors, depths });
+            }
+        }
         self.fbi.fbz_mode = kept;
         self.dirty = true;
     }
@@ -464,7 +482,7 @@ impl Board {
             let to = to as usize;
             let line = data.get(row.saturating_mul(stride)..).unwrap_or_default();
             let pixels = line.as_chunks().0.iter().take(width.max(0) as usize);
-            for (column, &pixel) in (x..).zip(pixels) {
+            for (column, &pixel) in (i64::from(x)..).zip(pixels) {
                 let column = usize::try_from(column).ok().filter(|&column| column < columns);
                 let Some(at) = column.map(|column| to * ROW_PIXELS + column) else { continue };
                 let pixel = u32::from(u16::from_le_bytes(pixel));
@@ -516,7 +534,7 @@ impl Board {
         (x, y): (u32, u32),
         (width, height): (u32, u32),
     ) -> Option<Vec<u16>> {
-        let surface = self.surface_of(buffer)?;
+        let surface = self.surface_of(buffer).filter(|_| !self.card.interleaved)?;
         let (width, height) = (width.min(ROW_PIXELS as u32), height.min(ROW_PIXELS as u32));
         let mut pixels = vec![0; (width * height) as usize];
         let rect = Rect::new(x, y, x.saturating_add(width), y.saturating_add(height));

@@ -51,11 +51,7 @@ struct Measured<'a> {
 
 /// The command.
 pub fn bench(args: &BenchArgs) -> Result<Outcome> {
-    let device = DeviceConfig {
-        threads: args.settings.threads(),
-        level: args.settings.level(),
-        ..DeviceConfig::default()
-    };
+    let device = args.settings.device();
     let chosen: Vec<&Workload> =
         WORKLOADS.iter().filter(|workload| workload.name.starts_with(&args.only)).collect();
     if chosen.is_empty() {

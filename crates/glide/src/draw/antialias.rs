@@ -38,7 +38,7 @@ impl Board {
     fn launch_rows(&mut self, ramp: &mut Ramp, rows: &[Row]) {
         for (corners, [a0, dx, dy], negative) in rows {
             (ramp.start[ALPHA], ramp.dx[ALPHA], ramp.dy[ALPHA]) = (*a0, *dx, *dy);
-            self.device.launch(&ramp.registers(*corners, *negative));
+            self.launch(&ramp.registers(*corners, *negative));
         }
     }
 
@@ -124,7 +124,7 @@ impl Board {
     fn draw_main(&mut self, a: &Vertex, b: &Vertex, c: &Vertex) -> bool {
         match triangle([a, b, c], self.cull(), MAX_TMUS) {
             Outcome::Drawn(registers) => {
-                self.device.launch(&registers);
+                self.launch(&registers);
                 true
             }
             Outcome::Empty | Outcome::Culled => false,
@@ -152,7 +152,7 @@ impl Board {
             for (own, plane) in registers.tmu.iter_mut().flatten().zip(plane.tmu.iter().flatten()) {
                 (own.dx, own.dy) = (plane.dx, plane.dy);
             }
-            self.device.launch(&registers);
+            self.launch(&registers);
         }
     }
 }

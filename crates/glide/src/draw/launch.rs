@@ -63,6 +63,25 @@ impl Ramp {
     }
 }
 
+/// Registers whose launch ends up where `registers` would without sub-pixel
+/// adjustment: the adjustment is taken off first.
+pub(super) fn without_adjustment(registers: &Registers) -> Registers {
+    let mut out = *registers;
+    let moved = after_launch(registers);
+    let narrow = |out: &mut Param, moved: &Param| {
+        out.start = out.start.wrapping_sub(moved.start.wrapping_sub(out.start));
+    };
+    let wide = |out: &mut WideParam, moved: &WideParam| {
+        out.start = out.start.wrapping_sub(moved.start.wrapping_sub(out.start));
+    };
+    out.color.iter_mut().zip(&moved.color).for_each(|(out, moved)| narrow(out, moved));
+    narrow(&mut out.z, &moved.z);
+    wide(&mut out.w, &moved.w);
+    let units = out.tmu.iter_mut().flatten().zip(moved.tmu.iter().flatten());
+    units.for_each(|(out, moved)| wide(out, moved));
+    out
+}
+
 /// The start registers as a launch leaves them: moved to the centre of the
 /// first corner's pixel. A second launch without new starts moves them again.
 ///

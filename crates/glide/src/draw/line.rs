@@ -34,10 +34,10 @@ impl Board {
             signs = [true, false];
         }
         let launched = ramp.registers(first, signs[0]);
-        self.device.launch(&launched);
+        self.launch(&launched);
         let mut again = ramp.registers(second, signs[1]);
         let left = after_launch(&launched);
         (again.color, again.z, again.w, again.tmu) = (left.color, left.z, left.w, left.tmu);
-        self.device.launch(&again);
+        self.launch(&again);
     }
 }

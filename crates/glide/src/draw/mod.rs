@@ -6,4 +6,6 @@ mod launch;
 mod line;
 mod point;
 mod polygon;
+mod raw;
+mod stipple;
 mod triangle;

@@ -16,6 +16,6 @@ impl Board {
         let (x, y) = (round_to_sixteenth(v.x).floor(), round_to_sixteenth(v.y).floor());
         let corners = [(x + 0.5, y + 0.5), (x + 1.0, y + 0.5), (x + 1.0, y + 1.0)];
         let registers = Ramp::constant(values(&v)).registers(corners, false);
-        self.device.launch(&registers);
+        self.launch(&registers);
     }
 }

@@ -32,14 +32,14 @@ impl Board {
                     Outcome::Culled => return,
                     Outcome::Empty => {}
                     Outcome::Drawn(registers) => {
-                        self.device.launch(&registers);
+                        self.launch(&registers);
                         plane = Some(registers);
                     }
                 }
                 continue;
             };
             if let Outcome::Drawn(own) = triangle(fan, Cull::Disabled, MAX_TMUS) {
-                self.device.launch(&with_gradients(own, plane));
+                self.launch(&with_gradients(own, plane));
             }
         }
     }
