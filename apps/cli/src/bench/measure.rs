@@ -147,7 +147,7 @@ impl Job<'_> {
 /// Millions of frames a second over a run.
 fn run(checked: &mut Checked) -> f64 {
     let start = Instant::now();
-    let mut frames = 0;
+    let mut frames = 0u32;
     while frames == 0 || start.elapsed().as_secs_f64() < RUN {
         checked.prepared.frame();
         frames += 1;

@@ -47,6 +47,9 @@ pub struct BenchArgs {
     /// Draw each workload once, compare its picture, and time nothing
     #[arg(long)]
     check: bool,
+    /// With --check: write the pictures into this folder
+    #[arg(long, value_name = "DIR", requires = "check")]
+    out: Option<PathBuf>,
     /// Take the pictures' digests from this file instead of the built-in ones
     #[arg(long, value_name = "FILE")]
     digests: Option<PathBuf>,
@@ -110,6 +113,11 @@ fn measure(args: &BenchArgs, digests: &Digests) -> Result<Vec<Measured>> {
         let mut checked = job.check(digests)?;
         if args.check {
             println!("{:22} {}", workload.name, checked.digest);
+            if let Some(folder) = &args.out {
+                std::fs::create_dir_all(folder)?;
+                let file = folder.join(workload.name).with_extension("png");
+                checked.prepared.picture()?.save_png(&file)?;
+            }
             continue;
         }
         let measured = job.time(&mut checked, args.runs)?;

@@ -15,7 +15,7 @@ pub enum Prepared {
     /// Through Glide.
     Board(Box<Board>),
     /// Through the engine's API, for sizes that no board shows.
-    Surfaces(Surfaces),
+    Surfaces(Box<Surfaces>),
 }
 
 impl Prepared {
@@ -29,7 +29,10 @@ impl Prepared {
     ) -> Result<Prepared> {
         Ok(match (size.resolution(), texture_side) {
             (Some(_), None) => Prepared::Board(Box::new(Board::new(workload, size, device)?)),
-            _ => Prepared::Surfaces(Surfaces::new(workload, size, device, texture_side)?),
+            _ => {
+                let surfaces = Surfaces::new(workload, size, device, texture_side)?;
+                Prepared::Surfaces(Box::new(surfaces))
+            }
         })
     }
 
