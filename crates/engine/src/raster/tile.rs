@@ -128,7 +128,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
     }
 
     fn batch(&self, state: u32) -> &'a BatchState {
-        &self.arena.states[state as usize]
+        &self.arena.states[state]
     }
 
     /// Makes `pipeline` and `list` those of a state; what is pending must be
