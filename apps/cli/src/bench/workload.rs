@@ -5,7 +5,7 @@ use fillrate_engine::DeviceConfig;
 use fillrate_glide::{Call, Context, GlideConfig, GrVertex, gu};
 use fillrate_player::{Frame, Pixels};
 
-use super::scene;
+use super::{Drawing, scene};
 
 /// What a workload draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,6 +65,17 @@ impl Workload {
     }
 }
 
+/// The number of a resolution that a board can show, and its columns and rows.
+pub fn resolution(size: &str) -> Result<(i32, (u32, u32))> {
+    Ok(match size {
+        "320x240" => (1, (320, 240)),
+        "512x384" => (3, (512, 384)),
+        "640x480" => (7, (640, 480)),
+        "800x600" => (8, (800, 600)),
+        _ => bail!("'{size}' is not a size a board can show"),
+    })
+}
+
 /// A workload on an open board.
 pub struct Prepared<'a> {
     workload: &'a Workload,
@@ -76,13 +87,7 @@ pub struct Prepared<'a> {
 impl<'a> Prepared<'a> {
     /// Opens a board of that size and sets the workload's state.
     pub fn new(workload: &'a Workload, size: &str, device: DeviceConfig) -> Result<Self> {
-        let (resolution, width, height) = match size {
-            "320x240" => (1, 320, 240),
-            "512x384" => (3, 512, 384),
-            "640x480" => (7, 640, 480),
-            "800x600" => (8, 800, 600),
-            _ => bail!("'{size}' is not a size a board can show"),
-        };
+        let (resolution, (width, height)) = resolution(size)?;
         let mut context = Context::new(GlideConfig { device, ..GlideConfig::default() })?;
         context.execute(&Call::GrGlideInit {});
         let open = Call::GrSstWinOpen {
@@ -181,9 +186,10 @@ impl<'a> Prepared<'a> {
             Call::GrTexClampMode { tmu, s: 0, t: 0 },
         ]);
     }
+}
 
-    /// Draws and shows a frame.
-    pub fn frame(&mut self) {
+impl Drawing for Prepared<'_> {
+    fn frame(&mut self) {
         let clear = Call::GrBufferClear { color: 0, alpha: 0, depth: 0xffff };
         if self.workload.kind == Kind::Clears {
             for i in 0..CLEARS {
@@ -207,8 +213,7 @@ impl<'a> Prepared<'a> {
         self.context.execute(&Call::GrBufferSwap { interval: 0 });
     }
 
-    /// Pixels or triangles of a frame.
-    pub fn count(&self) -> f64 {
+    fn count(&self) -> f64 {
         let pixels = f64::from(self.size.0) * f64::from(self.size.1);
         match self.workload.kind {
             Kind::Triangles { count, .. } => count as f64,
@@ -217,8 +222,7 @@ impl<'a> Prepared<'a> {
         }
     }
 
-    /// The hash of the picture shown.
-    pub fn digest(&mut self) -> Result<u64> {
+    fn digest(&mut self) -> Result<u64> {
         let shown = self.context.shown().context("nothing is shown")?;
         Ok(Frame::new(shown.width, shown.height, Pixels::Rgb565(shown.pixels))?.hash())
     }
