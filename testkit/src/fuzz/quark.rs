@@ -19,8 +19,9 @@ pub fn run_quark(bytes: &[u8], threads: usize) -> Vec<u64> {
     context.execute(&Call::TriangleMode { gpu: GPU, mode: 2 });
     let mut from = Bytes::new(bytes);
     let mut frames = Vec::new();
-    while !from.is_empty() {
-        let call = any_quark_call(&mut from);
+    let calls = std::iter::from_fn(|| (!from.is_empty()).then(|| any_quark_call(&mut from)));
+    let end = Call::FlushFb { gpu: GPU, address: 0, clear_color: 0 };
+    for call in calls.chain([end]) {
         let shows = matches!(call, Call::FlushFb { .. });
         context.execute(&call);
         if shows && let Some(shown) = context.shown() {

@@ -11,6 +11,7 @@ use super::{Drawing, scene};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Flat,
+    FlatDepth,
     Gouraud,
     Textured,
     Blended,
@@ -34,8 +35,9 @@ const fn workload(name: &'static str, kind: Kind, front_to_back: bool) -> Worklo
 }
 
 /// All of them.
-pub const WORKLOADS: [Workload; 12] = [
+pub const WORKLOADS: [Workload; 13] = [
     workload("W1_fill_flat", Kind::Flat, false),
+    workload("W1_fill_flat_z", Kind::FlatDepth, false),
     workload("W2_gouraud_z_b2f", Kind::Gouraud, false),
     workload("W2_gouraud_z_f2b", Kind::Gouraud, true),
     workload("W3_tex_bilin_z_b2f", Kind::Textured, false),
@@ -58,6 +60,10 @@ impl Workload {
     /// What is counted.
     pub fn unit(&self) -> &'static str {
         if matches!(self.kind, Kind::Triangles { .. }) { "Mtri/s" } else { "Mpix/s" }
+    }
+
+    fn is_flat(&self) -> bool {
+        matches!(self.kind, Kind::Flat | Kind::FlatDepth)
     }
 
     fn uses_depth(&self) -> bool {
@@ -120,7 +126,7 @@ impl<'a> Prepared<'a> {
         let modulate = Call::GuColorCombineFunction { function: 6 };
         self.set(&[
             Call::GrDitherMode { mode: 2 },
-            Call::GuColorCombineFunction { function: if kind == Kind::Flat { 1 } else { 2 } },
+            Call::GuColorCombineFunction { function: if self.workload.is_flat() { 1 } else { 2 } },
         ]);
         if self.workload.uses_depth() {
             self.set(&[
@@ -161,7 +167,7 @@ impl<'a> Prepared<'a> {
                     Call::GrFogMode { mode: 2 },
                 ]);
             }
-            Kind::Flat | Kind::Gouraud | Kind::Clears => {}
+            Kind::Flat | Kind::FlatDepth | Kind::Gouraud | Kind::Clears => {}
         }
     }
 
@@ -202,7 +208,7 @@ impl Drawing for Prepared<'_> {
             self.context.execute(&clear);
             self.context.execute(&Call::GrDepthMask { mask: written });
         }
-        let flat = self.workload.kind == Kind::Flat;
+        let flat = self.workload.is_flat();
         for (i, [a, b, c]) in self.vertices.as_chunks().0.iter().enumerate() {
             if flat && i % 2 == 0 {
                 let value = 0x0001_0307 * (i as u32 + 1);
@@ -238,7 +244,7 @@ fn vertices(workload: &Workload, size: (f32, f32)) -> Vec<GrVertex> {
         (0..OVERDRAW).flat_map(layer).collect()
     };
     match workload.kind {
-        Kind::Flat => layers(false, false, 255),
+        Kind::Flat | Kind::FlatDepth => layers(false, false, 255),
         Kind::Gouraud => layers(true, false, 255),
         Kind::Textured | Kind::TwoTextures => layers(true, true, 255),
         Kind::Blended => layers(true, true, 128),
