@@ -12,6 +12,7 @@
 
 pub mod canvas;
 pub mod compare;
+pub mod fuzz;
 pub mod golden;
 pub mod random;
 pub mod reference;

@@ -1,6 +1,7 @@
 //! Tests of the engine against the reference, and of the reference itself.
 
 mod formats;
+mod fuzz_targets;
 mod golden_scenes;
 mod random_cases;
 mod set_up;

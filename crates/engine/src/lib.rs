@@ -28,8 +28,11 @@ mod stats;
 
 pub use device::{ClearValues, Device, DeviceConfig, FlushReason, PixelRun, SurfaceId};
 pub use error::EngineError;
-pub use setup::{Cull, Outcome, Param, Registers, TmuVertex, Vertex, WideParam};
-pub use state::DrawState;
+pub use setup::{
+    Cull, Outcome, PALETTE_COORDINATE, PalettePrimitive, PaletteVertex, Param, Registers,
+    TmuVertex, Vertex, WideParam,
+};
+pub use state::{DrawState, PaletteBlend, PaletteDraw, PaletteState};
 pub use stats::{Counters, FlushStats};
 pub use target::{PixelFormat, Surface};
 pub use texture::{Level, Texture, TextureDesc};

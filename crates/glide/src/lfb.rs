@@ -482,7 +482,7 @@ impl Board {
             let to = to as usize;
             let line = data.get(row.saturating_mul(stride)..).unwrap_or_default();
             let pixels = line.as_chunks().0.iter().take(width.max(0) as usize);
-            for (column, &pixel) in (x..).zip(pixels) {
+            for (column, &pixel) in (i64::from(x)..).zip(pixels) {
                 let column = usize::try_from(column).ok().filter(|&column| column < columns);
                 let Some(at) = column.map(|column| to * ROW_PIXELS + column) else { continue };
                 let pixel = u32::from(u16::from_le_bytes(pixel));

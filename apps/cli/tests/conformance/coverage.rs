@@ -78,3 +78,19 @@ fn every_function_is_called() {
         table.iter().map(|(name, _)| &name[..]).filter(|name| !called.contains(name)).collect();
     assert!(never.is_empty(), "never called: {never:?}");
 }
+
+/// Any arguments: nothing crashes, hangs or writes elsewhere, and the board
+/// draws afterwards. `FILLRATE_CASES` sets how many calls of each run.
+#[test]
+fn any_arguments_are_survived() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let programs = compile(&[root().join("tests/c/border.c")], folder.path());
+    let calls = std::env::var("FILLRATE_CASES").unwrap_or("30000".into());
+    for (seed, check, boards) in
+        [("1", "0", "1"), ("2", "1", "1"), ("3", "0", "4"), ("4", "1", "2")]
+    {
+        let mut command = programs[0].command(folder.path());
+        command.env("FILLRATE_CHECK", check).env("FILLRATE_BOARDS", boards);
+        run(command.args([&calls, seed]));
+    }
+}

@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use super::ClearValues;
 use crate::kernel::Pipeline;
-use crate::setup::{Cull, Registers, Screen, Vertex};
-use crate::state::{DrawState, MAX_TMUS, Origin, Rect};
+use crate::setup::{Cull, PalettePrimitive, Registers, Screen, Vertex};
+use crate::state::{DrawState, MAX_TMUS, Origin, PaletteDraw, Rect};
+use crate::target::{PixelFormat, Surface};
 use crate::texture::Texture;
 
 /// One command; the payloads lie in the arena's own lists.
@@ -15,6 +16,8 @@ pub(crate) enum Command {
     Triangle { vertices: u32, cull: Cull, state: u32 },
     /// Registers to launch.
     Launch { registers: u32, state: u32 },
+    /// A primitive of the Quark profile.
+    Palette { primitive: u32, state: u32 },
     /// A rectangle to fill.
     Clear(u32),
     /// Ready-made fragments.
@@ -53,6 +56,8 @@ pub(crate) struct BatchState {
     pub pipeline: Pipeline,
     /// The stages for ready-made fragments, once there are any.
     pub pixel_pipeline: Option<Box<Pipeline>>,
+    /// Of the colour surface.
+    pub format: PixelFormat,
     pub screen: Screen,
     /// The clip window on the screen, inside the target.
     pub clip: Rect,
@@ -62,14 +67,15 @@ impl BatchState {
     pub fn new(
         state: &DrawState,
         textures: &[Option<Arc<Texture>>; MAX_TMUS],
-        size: (u32, u32),
+        target: &Surface,
         has_aux: bool,
     ) -> BatchState {
-        let (width, height) = size;
+        let (width, height) = (target.width(), target.height());
         let screen = Screen { width, height, origin: state.origin };
         BatchState {
-            pipeline: Pipeline::new(state, textures, has_aux),
+            pipeline: Pipeline::new(state, textures, target.format(), has_aux),
             pixel_pipeline: None,
+            format: target.format(),
             screen,
             clip: screen_clip(state, &screen),
         }
@@ -100,10 +106,12 @@ pub(crate) struct Arena {
     pub runs: Vec<Run>,
     pub pixels: Vec<Pixel>,
     pub states: Vec<BatchState>,
+    pub primitives: Vec<PalettePrimitive>,
+    pub palettes: Vec<PaletteDraw>,
 }
 
 /// Commands after which an arena is drawn without being asked.
-const MAX_COMMANDS: usize = 1 << 15;
+const MAX_COMMANDS: usize = 1 << 13;
 /// Draw states after which it is.
 const MAX_STATES: usize = 1 << 12;
 /// Fragments after which it is.
@@ -115,6 +123,7 @@ impl Arena {
         self.commands.len() >= MAX_COMMANDS
             || self.pixels.len() >= MAX_PIXELS
             || self.states.len() >= MAX_STATES
+            || self.palettes.len() >= MAX_STATES
     }
 
     /// Forgets everything but the states, and keeps the memory.
@@ -122,6 +131,7 @@ impl Arena {
         self.commands.clear();
         self.vertices.clear();
         self.registers.clear();
+        self.primitives.clear();
         self.clears.clear();
         self.runs.clear();
         self.pixels.clear();

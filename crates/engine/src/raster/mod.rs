@@ -3,6 +3,7 @@
 
 mod coverage;
 mod depth_range;
+mod palette;
 mod tile;
 
 pub(crate) use tile::TilePainter;

@@ -7,6 +7,7 @@ mod combine;
 mod depth;
 mod draw;
 mod fog;
+mod palette;
 mod texture;
 
 pub use blend::{Blend, BlendFactor, DITHER_2X2, DITHER_4X4, Dither};
@@ -16,4 +17,5 @@ pub use combine::{
 pub use depth::{AuxWrite, Compare, DepthSource, DepthState};
 pub use draw::{AlphaTest, DrawState, Origin, Rect, Stipple};
 pub use fog::{Fog, FogAmount, FogTable};
+pub use palette::{PALETTE_BITS, PaletteBlend, PaletteDraw, PaletteState};
 pub use texture::{Filter, LodRange, MAX_TMUS, TextureCombine, TextureFactor, TextureUnit};

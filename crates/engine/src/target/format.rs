@@ -13,6 +13,9 @@ pub enum PixelFormat {
     Argb4444,
     /// Colour, 32 bits: 0xAARRGGBB.
     Argb8888,
+    /// Colour, 16 bits, of a palette: base colour 7..0, intensity 12..8. Only
+    /// the Quark profile draws into it; a clear takes the element as colour.
+    Palette,
     /// Aux, 16 bits: depth (z or pseudo-float w), or alpha in the low byte.
     Aux16,
 }
@@ -38,7 +41,7 @@ fn widths(format: PixelFormat) -> [u32; 4] {
         PixelFormat::Rgb565 => [5, 6, 5, 0],
         PixelFormat::Argb1555 => [5, 5, 5, 1],
         PixelFormat::Argb4444 => [4, 4, 4, 4],
-        PixelFormat::Argb8888 | PixelFormat::Aux16 => [8, 8, 8, 8],
+        PixelFormat::Argb8888 | PixelFormat::Palette | PixelFormat::Aux16 => [8, 8, 8, 8],
     }
 }
 

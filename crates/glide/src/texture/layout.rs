@@ -70,9 +70,12 @@ pub fn offset(aspect: i32, lod: u32, format: i32, even_odd: u32) -> u32 {
 
 /// The base register (in bytes, wrapping) for a chain whose largest level
 /// `large` starts at `start`.
+///
+/// The register counts eights, for downloads as for drawing: what is below is
+/// dropped, and a level of one 8-bit texel may lie four bytes below `start`.
 pub fn base_address(start: u32, large: u32, aspect: i32, format: i32, even_odd: u32) -> u32 {
     let first = if is_selected(even_odd, large) { large } else { large + 1 };
-    start.wrapping_sub(offset(aspect, first, format, even_odd))
+    start.wrapping_sub(offset(aspect, first, format, even_odd)) & !7
 }
 
 #[cfg(test)]
@@ -103,6 +106,8 @@ mod tests {
         assert_eq!(base_address(0x20000, 1, 3, 0, LEVELS_BOTH), 0x10000);
         let base = base_address(64, 2, 3, 0, LEVELS_BOTH);
         assert_eq!(base.wrapping_add(offset(3, 2, 0, LEVELS_BOTH)), 64);
+        // Levels of four bytes leave no multiple of eight.
+        assert_eq!(base_address(64, 8, 3, 0, LEVELS_BOTH) % 8, 0);
         // An odd chain whose largest level is even starts with the next one.
         let base = base_address(64, 2, 3, 0, LEVELS_ODD);
         assert_eq!(base.wrapping_add(offset(3, 3, 0, LEVELS_ODD)), 64);

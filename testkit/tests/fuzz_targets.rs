@@ -1,0 +1,74 @@
+//! The fuzz targets over seeded inputs: a few seconds of each.
+//!
+//! `FILLRATE_CASES` sets how many (5,000 without it), `FILLRATE_SEED` the first.
+
+use std::collections::BTreeSet;
+
+use fillrate_call::Tagged;
+use fillrate_engine::{Counters, DeviceConfig};
+use fillrate_glide::Call;
+use fillrate_simd::Level;
+use fillrate_testkit::fuzz::{Bytes, Fuzzer, Target, any_call, context, input, run_stream};
+
+/// A number from the environment.
+fn setting(name: &str, default: u64) -> u64 {
+    std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(default)
+}
+
+fn seeds() -> std::ops::Range<u64> {
+    let first = setting("FILLRATE_SEED", 1);
+    first..first + setting("FILLRATE_CASES", 5_000)
+}
+
+fn run(target: Target) {
+    let mut fuzzer = Fuzzer::new(target);
+    for seed in seeds() {
+        let bytes = input(seed);
+        let outcome = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| fuzzer.run(&bytes)));
+        assert!(outcome.is_ok(), "{}: FILLRATE_SEED={seed}", target.name());
+    }
+}
+
+#[test]
+fn any_stream_of_calls_is_survived() {
+    run(Target::Calls);
+}
+
+#[test]
+fn texels_of_every_format_are_what_their_bytes_say() {
+    run(Target::Textures);
+}
+
+#[test]
+fn any_texture_file_is_survived() {
+    run(Target::Files);
+}
+
+/// Every call there is, calls of the next release included.
+#[test]
+fn streams_hold_every_call() {
+    let mut seen = BTreeSet::new();
+    for seed in 0..20_000 {
+        let bytes = input(seed);
+        seen.insert(any_call(&mut Bytes::new(&bytes)).tag());
+    }
+    let all: BTreeSet<u16> = Call::VARIANTS.iter().map(|(tag, _)| *tag).collect();
+    assert_eq!(seen, all);
+}
+
+/// Streams draw, and the same whatever the level and the number of threads.
+#[test]
+fn streams_draw_the_same_everywhere() {
+    let device = |threads, level| DeviceConfig { threads, level, ..DeviceConfig::default() };
+    let best = DeviceConfig::default().level;
+    let mut total = Counters::default();
+    for seed in seeds().take(300) {
+        let bytes = input(seed);
+        let one = run_stream(&mut context(device(1, best), false), &bytes);
+        let other = run_stream(&mut context(device(3, Level::Scalar), true), &bytes);
+        assert_eq!(one, other, "FILLRATE_SEED={seed}");
+        total += one.counters;
+    }
+    assert!(total.pixels_out > 10_000 && total.triangles_drawn > 100, "{total:?}");
+    println!("{total:?}");
+}
