@@ -22,7 +22,7 @@ pub fn doctor(args: &DoctorArgs) -> Result<Outcome> {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let found = library::folder();
     let settings = variables();
-    let loaded = fillrate_settings::Settings::load(false);
+    let loaded = fillrate_settings::Settings::load();
     if args.json {
         let object = json!({
             "version": env!("CARGO_PKG_VERSION"),

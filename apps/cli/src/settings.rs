@@ -19,7 +19,7 @@ impl Settings {
     /// How to draw: as asked for, or else by `fillrate.toml` and the
     /// environment.
     pub fn device(&self) -> DeviceConfig {
-        let device = fillrate_settings::Settings::load(false).glide.device;
+        let device = fillrate_settings::Settings::load().glide.device;
         DeviceConfig {
             threads: self.threads.map_or(device.threads, usize::from),
             level: self.simd.unwrap_or(device.level),

@@ -103,7 +103,7 @@ fn tell_one(callback: ErrorCallback, report: &Report) {
 
 impl Session {
     fn new() -> Session {
-        let settings = Settings::load(cfg!(feature = "checked"));
+        let settings = Settings::load_checking(cfg!(feature = "checked"));
         for problem in &settings.problems {
             eprintln!("fillrate: {problem}");
         }

@@ -49,9 +49,14 @@ fn candidates() -> Vec<PathBuf> {
 }
 
 impl Settings {
-    /// Reads the file and the environment. `check` says whether checking mode is
-    /// on where neither says anything.
-    pub fn load(check: bool) -> Settings {
+    /// Reads the file and the environment.
+    pub fn load() -> Settings {
+        Settings::load_checking(false)
+    }
+
+    /// The same; `check` says whether checking mode is on where neither says
+    /// anything.
+    pub fn load_checking(check: bool) -> Settings {
         let text = |path: PathBuf| {
             let text = std::fs::read_to_string(&path);
             match text {
@@ -73,7 +78,7 @@ impl Settings {
     }
 
     /// The settings of a file (its path and its text, or why it cannot be
-    /// read) and of variables; see [`Settings::load`].
+    /// read) and of variables; see [`Settings::load_checking`].
     pub fn from_parts(
         file: Option<(PathBuf, Result<String, String>)>,
         variables: impl Iterator<Item = (String, String)>,
