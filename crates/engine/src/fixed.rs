@@ -57,9 +57,97 @@ pub fn wide(value: f32) -> i64 {
     truncate(value, WIDE_FRACTION)
 }
 
+/// [`coord`] of several values at once.
+#[inline(always)]
+pub(crate) fn coordinates<const N: usize>(values: [f32; N]) -> [i32; N] {
+    let mut out = [0; N];
+    let mut fits = true;
+    for (out, value) in out.iter_mut().zip(values) {
+        // A product with a power of two is exact.
+        let scaled = value * (1 << COORD_FRACTION) as f32;
+        fits &= scaled.abs() < FITS_I32;
+        *out = ((scaled as i32) << 16) >> 16;
+    }
+    if !fits {
+        for (out, value) in out.iter_mut().zip(values) {
+            *out = coord(value);
+        }
+    }
+    out
+}
+
+/// [`color`] and [`depth`], which are the same, of several values at once.
+#[inline(always)]
+pub(crate) fn twelve_bits<const N: usize>(values: [f32; N]) -> [i32; N] {
+    let mut out = [0; N];
+    let mut fits = true;
+    for (out, value) in out.iter_mut().zip(values) {
+        let scaled = value * (1 << COLOR_FRACTION) as f32;
+        fits &= scaled.abs() < FITS_I32;
+        *out = scaled as i32;
+    }
+    if !fits {
+        for (out, value) in out.iter_mut().zip(values) {
+            *out = color(value);
+        }
+    }
+    out
+}
+
+/// [`wide`] of several values at once.
+#[inline(always)]
+pub(crate) fn wide_lanes<const N: usize>(values: [f32; N]) -> [i64; N] {
+    // Added to a float below 2^52 this leaves its integer in the mantissa.
+    const TO_INTEGER: f64 = (1u64 << 52) as f64;
+    let mut out = [0; N];
+    let mut fits = true;
+    for (out, value) in out.iter_mut().zip(values) {
+        let scaled = f64::from(value) * (1u64 << WIDE_FRACTION) as f64;
+        let magnitude = scaled.abs();
+        fits &= magnitude < TO_INTEGER;
+        // To the nearest integer, then down where that was up.
+        let nearest = (magnitude + TO_INTEGER) - TO_INTEGER;
+        let below = if nearest > magnitude { nearest - 1.0 } else { nearest };
+        let integer = (below + TO_INTEGER).to_bits() as i64 - TO_INTEGER.to_bits() as i64;
+        let sign = scaled.to_bits() as i64 >> 63;
+        *out = (integer ^ sign) - sign;
+    }
+    if !fits {
+        for (out, value) in out.iter_mut().zip(values) {
+            *out = wide(value);
+        }
+    }
+    out
+}
+
+/// Floats below it in magnitude truncate to an `i32`.
+const FITS_I32: f32 = 2_147_483_648.0;
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn lanes_convert_like_single_values() {
+        let mut values = vec![0.0, -0.0, 1.0, -1.0, 0.5, -0.5, 1.99, f32::NAN, f32::INFINITY];
+        values.extend([f32::MAX, f32::MIN_POSITIVE, 2e9, -3e9, 1048575.9, 1048576.0, 786442.5]);
+        let mut seed = 1u32;
+        for _ in 0..50_000 {
+            seed = seed.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+            values.push(f32::from_bits(seed));
+            values.push((seed >> 8) as f32 / 65536.0 - 100.0);
+        }
+        for four in values.as_chunks::<4>().0 {
+            assert_eq!(coordinates(*four), four.map(coord), "{four:?}");
+            assert_eq!(twelve_bits(*four), four.map(color), "{four:?}");
+            assert_eq!(twelve_bits(*four), four.map(depth), "{four:?}");
+            assert_eq!(wide_lanes(*four), four.map(wide), "{four:?}");
+        }
+        for one in values {
+            assert_eq!(wide_lanes([one]), [wide(one)], "{one}");
+            assert_eq!(twelve_bits([one]), [color(one)], "{one}");
+        }
+    }
 
     #[test]
     fn coord_truncates_toward_zero_and_wraps() {

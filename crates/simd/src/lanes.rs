@@ -60,6 +60,17 @@ pub trait Simd: Copy + Send + Sync + 'static {
     ///
     /// When `table` is empty.
     fn load_pairs(self, table: &[u64], index: Self::I) -> (Self::I, Self::I);
+    /// [`Simd::load_pairs`] by the first `LANES` indices of `index`, which lie
+    /// in memory already: faster where lanes would be taken out of a register
+    /// one by one.
+    ///
+    /// # Panics
+    ///
+    /// When `table` is empty.
+    #[inline(always)]
+    fn load_pairs_at(self, table: &[u64], index: &[i32]) -> (Self::I, Self::I) {
+        self.load_pairs(table, self.load(index))
+    }
 }
 
 /// Integer lanes. Sums and products wrap; `16` in a name means that each lane
@@ -89,6 +100,8 @@ pub trait IntLanes:
     fn min(self, other: Self) -> Self;
     /// Signed maximum.
     fn max(self, other: Self) -> Self;
+    /// Whether any bit of any lane is set.
+    fn any(self) -> bool;
     /// Lanes that are equal.
     fn eq(self, other: Self) -> Self::M;
     /// Lanes where `self > other`, signed.

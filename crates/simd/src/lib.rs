@@ -35,6 +35,21 @@ pub use scalar::Scalar;
 /// divides it, and buffers are padded to it.
 pub const MAX_LANES: usize = 16;
 
+/// Tells the processor that `value` is read soon, where it can be told. Changes
+/// no result.
+#[inline(always)]
+pub fn prefetch<T>(value: &T) {
+    #[cfg(target_arch = "x86_64")]
+    for line in (0..size_of::<T>()).step_by(64) {
+        use core::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        // SAFETY: SSE is part of x86-64; a prefetch reads nothing, and the
+        // address lies within the value.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(core::ptr::from_ref(value).cast::<i8>().add(line)) }
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = value;
+}
+
 /// The index of the last entry of a table that `load_pairs` reads, or the
 /// greatest index there is. The unchecked loads rely on it.
 ///

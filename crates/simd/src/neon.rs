@@ -178,6 +178,12 @@ macro_rules! binary {
 impl IntLanes for I {
     type M = M;
 
+    #[inline(always)]
+    fn any(self) -> bool {
+        // SAFETY: every AArch64 machine of this target has NEON.
+        unsafe { vmaxvq_u32(vreinterpretq_u32_s32(self.0)) != 0 }
+    }
+
     binary! {
         mul vmulq_s32
         min vminq_s32

@@ -117,6 +117,11 @@ impl IntLanes for I4 {
     type M = M4;
 
     #[inline(always)]
+    fn any(self) -> bool {
+        self.0.iter().any(|&lane| lane != 0)
+    }
+
+    #[inline(always)]
     fn mul(self, other: I4) -> I4 {
         lanes(|i| self.0[i].wrapping_mul(other.0[i]))
     }

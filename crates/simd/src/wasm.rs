@@ -170,6 +170,11 @@ macro_rules! shifts {
 impl IntLanes for I {
     type M = M;
 
+    #[inline(always)]
+    fn any(self) -> bool {
+        v128_any_true(self.0)
+    }
+
     binary! {
         mul i32x4_mul
         min i32x4_min

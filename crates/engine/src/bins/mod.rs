@@ -7,7 +7,9 @@
 use core::ops::Range;
 
 use crate::device::arena::{Arena, Command, Run};
-use crate::setup::{Edge, Outcome, Registers, Shape, Triangle, prepare, prepare_palette, triangle};
+use crate::setup::{
+    Edge, Fate, Launch, Shape, Triangle, Triangles, prepare, prepare_palette, set_up,
+};
 use crate::state::Rect;
 use crate::stats::Counters;
 
@@ -57,7 +59,7 @@ impl Grid {
 /// A part of the arena, set up and binned.
 #[derive(Debug, Default)]
 pub(crate) struct Chunk {
-    pub triangles: Vec<Triangle>,
+    pub triangles: Triangles,
     pub shapes: Vec<Shape>,
     pub counters: Counters,
     pairs: Vec<(u32, Entry)>,
@@ -67,26 +69,29 @@ pub(crate) struct Chunk {
 
 impl Chunk {
     /// Sets up and bins `commands`.
+    #[inline(always)]
     pub fn build(&mut self, arena: &Arena, commands: Range<usize>, grid: &Grid) {
         self.triangles.clear();
         self.shapes.clear();
         self.pairs.clear();
         self.counters = Counters::default();
+        let mut launch = Launch::default();
         for command in &arena.commands[commands] {
             match *command {
                 Command::Triangle { vertices, cull, state } => {
                     let [a, b, c] = &arena.vertices[vertices as usize];
                     self.counters.triangles_in += 1;
                     let units = arena.states[state as usize].pipeline.unit_count;
-                    if let Outcome::Drawn(registers) = triangle([a, b, c], cull, units) {
+                    if set_up([a, b, c], cull, units, &mut launch) == Fate::Drawn {
                         self.counters.triangles_drawn += 1;
-                        self.launch(arena, &registers, state, grid);
+                        self.launch(arena, &launch, state, grid);
                     }
                 }
                 Command::Launch { registers, state } => {
                     self.counters.triangles_in += 1;
                     self.counters.triangles_drawn += 1;
-                    self.launch(arena, &arena.registers[registers as usize], state, grid);
+                    let launch = Launch::from(&arena.registers[registers as usize]);
+                    self.launch(arena, &launch, state, grid);
                 }
                 Command::Palette { primitive, state } => {
                     self.counters.triangles_in += 1;
@@ -106,13 +111,17 @@ impl Chunk {
         self.sort(grid.len());
     }
 
-    fn launch(&mut self, arena: &Arena, registers: &Registers, state: u32, grid: &Grid) {
+    #[inline(always)]
+    fn launch(&mut self, arena: &Arena, launch: &Launch, state: u32, grid: &Grid) {
         let batch = &arena.states[state as usize];
         let units = batch.pipeline.unit_count;
-        let Some(triangle) = prepare(registers, &batch.screen, state, units) else { return };
-        let index = self.triangles.len() as u32;
-        self.add_edges(&triangle.bounds, triangle_edges(&triangle), Entry::Triangle(index), grid);
-        self.triangles.push(triangle);
+        let index = self.triangles.list.len() as u32;
+        let Some(triangle) = prepare(launch, &batch.screen, state, units, &mut self.triangles)
+        else {
+            return;
+        };
+        let entry = Entry::Triangle(index);
+        add_edges(&mut self.pairs, &triangle.bounds, triangle_edges(triangle), entry, grid);
     }
 
     fn shape(&mut self, arena: &Arena, primitive: u32, state: u32, grid: &Grid) {
@@ -120,23 +129,9 @@ impl Chunk {
         let textured = arena.palettes[state as usize].state.reads_texture();
         let Some(shape) = prepare_palette(primitive, &grid.bounds, state, textured) else { return };
         self.counters.triangles_drawn += 1;
-        let index = self.shapes.len() as u32;
-        self.add_edges(&shape.bounds, shape.edges(), Entry::Shape(index), grid);
+        let entry = Entry::Shape(self.shapes.len() as u32);
+        add_edges(&mut self.pairs, &shape.bounds, shape.edges(), entry, grid);
         self.shapes.push(shape);
-    }
-
-    /// Sends an entry to the tiles that its bounds and edges reach.
-    fn add_edges(&mut self, bounds: &Rect, edges: &[Edge], entry: Entry, grid: &Grid) {
-        let (columns, rows) = grid.touched(bounds);
-        let single = columns.len() == 1 && rows.len() == 1;
-        for row in rows {
-            for column in columns.clone() {
-                let tile = row * grid.across + column;
-                if single || touches(edges, &grid.tile(tile as usize)) {
-                    self.pairs.push((tile, entry));
-                }
-            }
-        }
     }
 
     fn add_rect(&mut self, rect: &Rect, entry: Entry, grid: &Grid) {
@@ -178,6 +173,27 @@ impl Chunk {
 
 fn triangle_edges(triangle: &Triangle) -> &[Edge] {
     &triangle.edges[..triangle.edge_count as usize]
+}
+
+/// Sends an entry to the tiles that its bounds and edges reach.
+#[inline(always)]
+fn add_edges(
+    pairs: &mut Vec<(u32, Entry)>,
+    bounds: &Rect,
+    edges: &[Edge],
+    entry: Entry,
+    grid: &Grid,
+) {
+    let (columns, rows) = grid.touched(bounds);
+    let single = columns.len() == 1 && rows.len() == 1;
+    for row in rows {
+        for column in columns.clone() {
+            let tile = row * grid.across + column;
+            if single || touches(edges, &grid.tile(tile as usize)) {
+                pairs.push((tile, entry));
+            }
+        }
+    }
 }
 
 /// Whether no edge excludes all of a tile.

@@ -6,6 +6,7 @@ use super::ClearValues;
 use crate::kernel::Pipeline;
 use crate::setup::{Cull, PalettePrimitive, Registers, Screen, Vertex};
 use crate::state::{DrawState, MAX_TMUS, Origin, PaletteDraw, Rect};
+use crate::target::{PixelFormat, Surface};
 use crate::texture::Texture;
 
 /// One command; the payloads lie in the arena's own lists.
@@ -55,6 +56,8 @@ pub(crate) struct BatchState {
     pub pipeline: Pipeline,
     /// The stages for ready-made fragments, once there are any.
     pub pixel_pipeline: Option<Box<Pipeline>>,
+    /// Of the colour surface.
+    pub format: PixelFormat,
     pub screen: Screen,
     /// The clip window on the screen, inside the target.
     pub clip: Rect,
@@ -64,14 +67,15 @@ impl BatchState {
     pub fn new(
         state: &DrawState,
         textures: &[Option<Arc<Texture>>; MAX_TMUS],
-        size: (u32, u32),
+        target: &Surface,
         has_aux: bool,
     ) -> BatchState {
-        let (width, height) = size;
+        let (width, height) = (target.width(), target.height());
         let screen = Screen { width, height, origin: state.origin };
         BatchState {
-            pipeline: Pipeline::new(state, textures, has_aux),
+            pipeline: Pipeline::new(state, textures, target.format(), has_aux),
             pixel_pipeline: None,
+            format: target.format(),
             screen,
             clip: screen_clip(state, &screen),
         }
@@ -107,7 +111,7 @@ pub(crate) struct Arena {
 }
 
 /// Commands after which an arena is drawn without being asked.
-const MAX_COMMANDS: usize = 1 << 15;
+const MAX_COMMANDS: usize = 1 << 13;
 /// Draw states after which it is.
 const MAX_STATES: usize = 1 << 12;
 /// Fragments after which it is.

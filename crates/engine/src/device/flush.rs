@@ -66,11 +66,8 @@ impl Device {
         let queue = Mutex::new(self.chunks[..count].iter_mut().enumerate());
         let arena = &self.arena;
         let helpers = self.pool.as_ref().filter(|_| count > 1);
-        together(helpers, &|| {
-            while let Some((i, chunk)) = next(&queue) {
-                chunk.build(arena, i * CHUNK..commands.min((i + 1) * CHUNK), grid);
-            }
-        });
+        let level = self.config.level;
+        together(helpers, &|| level.dispatch(BinWork { arena, grid, next: &|| next(&queue) }));
     }
 
     /// Draws all tiles.
@@ -127,6 +124,25 @@ fn together(pool: Option<&rayon::ThreadPool>, work: &(dyn Fn() + Sync)) {
         }
         work();
     });
+}
+
+/// One worker's share of the chunks; the level is entered once.
+struct BinWork<'a, 'c> {
+    arena: &'a Arena,
+    grid: &'a Grid,
+    next: &'a dyn Fn() -> Option<(usize, &'c mut Chunk)>,
+}
+
+impl Kernel for BinWork<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) {
+        let commands = self.arena.commands.len();
+        while let Some((i, chunk)) = (self.next)() {
+            chunk.build(self.arena, i * CHUNK..commands.min((i + 1) * CHUNK), self.grid);
+        }
+    }
 }
 
 /// A tile to draw: its index, colour and aux cells.

@@ -249,9 +249,9 @@ impl Device {
         if count == 0 {
             return;
         }
-        batch
-            .pixel_pipeline
-            .get_or_insert_with(|| Box::new(Pipeline::for_pixels(&self.current.0, has_aux)));
+        batch.pixel_pipeline.get_or_insert_with(|| {
+            Box::new(Pipeline::for_pixels(&self.current.0, batch.format, has_aux))
+        });
         let y = match self.current.0.origin {
             Origin::UpperLeft => run.y,
             Origin::LowerLeft => height - 1 - run.y,
@@ -300,13 +300,11 @@ impl Device {
         if let Some(state) = self.state {
             return Some(state);
         }
-        let size = {
-            let surface = self.peek(self.color?).ok()?;
-            (surface.width(), surface.height())
-        };
         let (state, textures) = &self.current;
+        let target = self.peek(self.color?).ok()?;
+        let batch = BatchState::new(state, textures, target, self.aux.is_some());
         let index = self.arena.states.len() as u32;
-        self.arena.states.push(BatchState::new(state, textures, size, self.aux.is_some()));
+        self.arena.states.push(batch);
         self.state = Some(index);
         Some(index)
     }

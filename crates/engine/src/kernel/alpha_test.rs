@@ -1,6 +1,6 @@
 //! Alpha test.
 
-use fillrate_simd::{IntLanes, Simd};
+use fillrate_simd::{IntLanes, MaskLanes, Simd};
 
 use super::block::Block;
 use super::depth::compare;
@@ -16,7 +16,7 @@ pub(crate) fn alpha_test<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile
     let mut passed = 0u64;
     for k in (0..block.len()).step_by(S::LANES) {
         let alpha = s.load(&block.color.ga.0[k..]).shr(16);
-        passed |= u64::from(compare::<S>(test.compare, alpha, reference)) << k;
+        passed |= u64::from(compare(s, test.compare, alpha, reference).bits()) << k;
     }
     tile.counters.alpha_fail += block.keep(passed);
 }

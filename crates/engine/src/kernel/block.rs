@@ -1,5 +1,9 @@
 //! The register file of the fragment pipeline: 64 fragments in L1.
 
+use super::depth::IteratedW;
+use super::texture::TextureSteps;
+use crate::state::MAX_TMUS;
+
 /// Fragments of a block.
 pub(crate) const BLOCK: usize = 64;
 /// Fragments of a stamp.
@@ -81,6 +85,20 @@ pub(crate) struct Block {
     pub lod: Lanes,
     /// Scratch colours.
     pub scratch: Colors,
+    /// What the stamps of the last triangle shared.
+    pub steps: Steps,
+}
+
+/// What the stamps of one triangle share, kept from block to block.
+#[derive(Clone, Debug)]
+pub(crate) struct Steps {
+    pub w: IteratedW,
+    pub units: [TextureSteps; MAX_TMUS],
+}
+
+impl Steps {
+    const NONE: Steps =
+        Steps { w: IteratedW::NONE, units: [const { TextureSteps::NONE }; MAX_TMUS] };
 }
 
 impl Block {
@@ -104,6 +122,15 @@ impl Block {
             weight_t: lanes.clone(),
             lod: lanes,
             scratch: colors,
+            steps: Steps::NONE,
+        }
+    }
+
+    /// Forgets the last triangle: indices or the state mean something else now.
+    pub fn forget_steps(&mut self) {
+        self.steps.w.triangle = u32::MAX;
+        for unit in &mut self.steps.units {
+            unit.triangle = u32::MAX;
         }
     }
 

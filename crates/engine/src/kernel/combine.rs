@@ -59,6 +59,24 @@ impl Switches {
     }
 }
 
+/// How much of the combine arithmetic a state needs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Arithmetic {
+    /// All of it.
+    #[default]
+    Any,
+    /// Other times factor.
+    Scale,
+}
+
+impl Arithmetic {
+    /// What two units need; the alpha unit counts where alpha is read.
+    pub fn of<F>(color: &CombineUnit<F>, alpha: &CombineUnit<F>, reads_alpha: bool) -> Arithmetic {
+        let scale = color.scales() && (!reads_alpha || alpha.scales());
+        if scale { Arithmetic::Scale } else { Arithmetic::Any }
+    }
+}
+
 /// The lanes a factor is read from, and whether the alpha in them counts for
 /// every channel.
 struct FactorLanes<'a> {
@@ -134,14 +152,9 @@ pub(crate) fn combine<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
     let len = block.len();
     let Block { iterated, texture, color, scratch, .. } = block;
     let texture = pipeline.texture_output(texture);
-    let other = |other: Other| match other {
-        Other::Iterated => &*iterated,
-        Other::Texture => texture,
-        Other::Constant => &pipeline.color1,
-    };
     let operands = Operands {
-        other: other(cc.other),
-        other_alpha: &other(ac.other).ga,
+        other: pick(cc.other, iterated, texture, &pipeline.color1),
+        other_alpha: &pick(ac.other, iterated, texture, &pipeline.color1).ga,
         local: match cc.local {
             ColorLocal::Iterated => iterated,
             ColorLocal::Constant => &pipeline.color0,
@@ -155,12 +168,58 @@ pub(crate) fn combine<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
         texture,
         zero: &pipeline.zero,
     };
-    run(s, len, pass, &operands, color);
+    match pipeline.arithmetic {
+        Arithmetic::Scale => scale_colors(s, len, pass, &operands, color),
+        Arithmetic::Any => run(s, len, pass, &operands, color),
+    }
+}
+
+#[inline(always)]
+fn pick<'a>(
+    other: Other,
+    iterated: &'a Colors,
+    texture: &'a Colors,
+    constant: &'a Colors,
+) -> &'a Colors {
+    match other {
+        Other::Iterated => iterated,
+        Other::Texture => texture,
+        Other::Constant => constant,
+    }
 }
 
 #[inline(always)]
 fn load<S: Simd>(s: S, lanes: &Lanes, k: usize) -> S::I {
     s.load(&lanes.0[k..])
+}
+
+/// Only `(other * (factor + 1)) >> 8`, where the alpha unit does no more or
+/// nobody reads alpha.
+#[inline(always)]
+fn scale_colors<S: Simd>(s: S, len: usize, pass: &Pass<'_>, from: &Operands<'_>, out: &mut Colors) {
+    let state = &pass.pipeline.state;
+    let switches = &pass.pipeline.combine;
+    let factor = from.color_factor(state.color_combine.unit.factor);
+    let factor_alpha = from.alpha_factor(state.alpha_combine.unit.factor);
+    let one = s.splat(0x0001_0001);
+    let (invert_rb, invert_ga) =
+        (s.splat(switches.invert_factor[0]), s.splat(switches.invert_factor[1]));
+    for k in (0..len).step_by(S::LANES) {
+        let (mut f_rb, mut f_ga) = (load(s, factor.rb, k), load(s, factor.ga, k));
+        if factor.spread {
+            f_rb = spread_alpha(s, f_rb);
+            f_ga = f_rb;
+        }
+        let mut ga = load(s, &from.other.ga, k);
+        if pass.pipeline.reads_alpha {
+            f_ga = join(s, f_ga, load(s, factor_alpha, k));
+            ga = join(s, ga, load(s, from.other_alpha, k));
+        }
+        let rb = load(s, &from.other.rb, k).mul16((f_rb ^ invert_rb).add16(one)).shr16(8);
+        let ga = ga.mul16((f_ga ^ invert_ga).add16(one)).shr16(8);
+        s.store(rb, &mut out.rb.0[k..]);
+        s.store(ga, &mut out.ga.0[k..]);
+    }
 }
 
 #[inline(always)]

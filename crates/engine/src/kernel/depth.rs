@@ -5,10 +5,10 @@
 
 use fillrate_simd::{FloatLanes, IntLanes, MaskLanes, Simd};
 
-use super::block::{Block, STAMP};
-use super::lanes::{COLUMN_F, ROW_F, iterate, wrap};
-use super::{Pass, Tile};
-use crate::setup::{Plane64, Triangle};
+use super::block::{Block, Lanes, STAMP, Slot};
+use super::lanes::{iterate, places, ramp_wide, wrap};
+use super::{Pass, Pipeline, Tile};
+use crate::setup::{Plane64, Z};
 use crate::state::{Compare, DepthSource};
 
 /// The pseudo-float of a 48-bit w with 32 fraction bits: 4 exponent bits and
@@ -45,109 +45,250 @@ fn float_w_lanes<S: Simd>(s: S, w: S::F) -> S::I {
     s.splat(0).select(value, near | negative)
 }
 
-/// A 64-bit attribute at fragments `j..` of a stamp, in floats; the triangle
-/// must be exact.
-#[inline(always)]
-pub(crate) fn iterate_wide<S: Simd>(s: S, plane: &Plane64, x: i32, y: i32, j: usize) -> S::F {
-    s.splat_f(plane.at(x, y) as f64)
-        + (s.load_f(&COLUMN_F[j..]) * s.splat_f(plane.dx as f64)
-            + s.load_f(&ROW_F[j..]) * s.splat_f(plane.dy as f64))
+/// Depth values of one stamp after another, without bias.
+pub(super) trait DepthLanes<S: Simd> {
+    /// Goes to a stamp, which is the block's slot `slot`.
+    fn enter(&mut self, s: S, pass: &Pass<'_>, at: &Slot, slot: usize);
+    /// The values of fragments `j..` of that stamp.
+    fn lanes(&self, s: S, pass: &Pass<'_>, at: &Slot, j: usize) -> S::I;
 }
 
-/// Iterates z into `block.z`.
-#[inline(always)]
-fn z_of_slot<S: Simd>(s: S, block: &mut Block, triangle: &Triangle, slot: usize) {
-    let at = block.slots[slot];
-    for j in (0..STAMP).step_by(S::LANES) {
-        let z = iterate(s, &triangle.z, at.x, at.y, j);
-        s.store(wrap::<S, 20, 16>(s, z.shr(12)), &mut block.z.0[slot * STAMP + j..]);
+/// Iterated z.
+pub(super) struct IteratedZ;
+
+impl<S: Simd> DepthLanes<S> for IteratedZ {
+    #[inline(always)]
+    fn enter(&mut self, _s: S, _pass: &Pass<'_>, _at: &Slot, _slot: usize) {}
+
+    #[inline(always)]
+    fn lanes(&self, s: S, pass: &Pass<'_>, at: &Slot, j: usize) -> S::I {
+        let z = iterate(s, &pass.triangle(at).narrow, Z, places(s, at.x, at.y, j));
+        wrap::<S, 20, 16>(s, z.shr(12))
     }
 }
 
-/// Iterates the pseudo-float w into `block.w`.
-#[inline(always)]
-fn w_of_slot<S: Simd>(s: S, block: &mut Block, triangle: &Triangle, slot: usize) {
-    let at = block.slots[slot];
-    if !triangle.exact {
-        for (i, out) in block.w.0[slot * STAMP..][..STAMP].iter_mut().enumerate() {
-            let (x, y) = (at.x + (i & 3) as i32, at.y + (i >> 2) as i32);
-            *out = i32::from(float_w(triangle.w.at(x, y)));
+/// The pseudo-float of iterated w.
+#[derive(Clone, Debug)]
+pub(crate) struct IteratedW {
+    pub(super) triangle: u32,
+    ramp: [f64; STAMP],
+    values: [i32; STAMP],
+}
+
+impl IteratedW {
+    pub const NONE: IteratedW =
+        IteratedW { triangle: u32::MAX, ramp: [0.0; STAMP], values: [0; STAMP] };
+}
+
+impl<S: Simd> DepthLanes<S> for IteratedW {
+    #[inline(always)]
+    fn enter(&mut self, s: S, pass: &Pass<'_>, at: &Slot, _slot: usize) {
+        let triangle = pass.triangle(at);
+        let plane = pass.triangles.w(triangle);
+        if !triangle.exact {
+            return exact_w_of_stamp(&plane, at.x, at.y, &mut self.values);
         }
+        if at.triangle != self.triangle {
+            self.triangle = at.triangle;
+            ramp_wide(s, &plane, &mut self.ramp);
+        }
+        let base = s.splat_f(plane.at(at.x, at.y) as f64);
+        for j in (0..STAMP).step_by(S::LANES) {
+            let w = base + s.load_f(&self.ramp[j..]);
+            s.store(float_w_lanes(s, w), &mut self.values[j..]);
+        }
+    }
+
+    #[inline(always)]
+    fn lanes(&self, s: S, _pass: &Pass<'_>, _at: &Slot, j: usize) -> S::I {
+        s.load(&self.values[j..])
+    }
+}
+
+/// The pseudo-float w of a stamp whose iterators are too large for floats.
+fn exact_w_of_stamp(w: &Plane64, x: i32, y: i32, out: &mut [i32; STAMP]) {
+    for (i, out) in out.iter_mut().enumerate() {
+        *out = i32::from(float_w(w.at(x + (i & 3) as i32, y + (i >> 2) as i32)));
+    }
+}
+
+/// Depth values that lie in the block already.
+struct Kept<'a> {
+    values: &'a Lanes,
+    first: usize,
+}
+
+impl<S: Simd> DepthLanes<S> for Kept<'_> {
+    #[inline(always)]
+    fn enter(&mut self, _s: S, _pass: &Pass<'_>, _at: &Slot, slot: usize) {
+        self.first = slot * STAMP;
+    }
+
+    #[inline(always)]
+    fn lanes(&self, s: S, _pass: &Pass<'_>, _at: &Slot, j: usize) -> S::I {
+        s.load(&self.values.0[self.first + j..])
+    }
+}
+
+/// Keeps the depth values of the whole block.
+#[inline(always)]
+fn keep<S: Simd, D: DepthLanes<S>>(
+    s: S,
+    source: &mut D,
+    slots: &[Slot],
+    pass: &Pass<'_>,
+    out: &mut Lanes,
+) {
+    for (slot, at) in slots.iter().enumerate() {
+        source.enter(s, pass, at, slot);
+        for j in (0..STAMP).step_by(S::LANES) {
+            s.store(source.lanes(s, pass, at, j), &mut out.0[slot * STAMP + j..]);
+        }
+    }
+}
+
+/// Computes z and w where they are needed, tests and writes depth.
+#[inline(always)]
+pub(crate) fn depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    let needs = &pass.pipeline.needs;
+    let Block { slots, count, steps, z, w, .. } = block;
+    if needs.keeps_z {
+        keep(s, &mut IteratedZ, &slots[..*count], pass, z);
+    }
+    if needs.keeps_w {
+        keep(s, &mut steps.w, &slots[..*count], pass, w);
+    }
+    match pass.pipeline.state.depth.source {
+        DepthSource::Z if needs.keeps_z => ready_depth(s, block, pass, tile),
+        DepthSource::FloatW if needs.keeps_w => ready_depth(s, block, pass, tile),
+        source => {
+            let Block { live, count, slots, depth, steps, .. } = block;
+            let fragments = Fragments { live, slots: &slots[..*count], depth };
+            match source {
+                DepthSource::Z => test_depth(s, fragments, &mut IteratedZ, pass, tile),
+                DepthSource::FloatW => test_depth(s, fragments, &mut steps.w, pass, tile),
+            }
+        }
+    }
+}
+
+/// Tests and writes depth values that lie in the block.
+#[inline(always)]
+pub(crate) fn ready_depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    let Block { live, count, slots, z, w, depth, .. } = block;
+    let fragments = Fragments { live, slots: &slots[..*count], depth };
+    let values = match pass.pipeline.state.depth.source {
+        DepthSource::Z => z,
+        DepthSource::FloatW => w,
+    };
+    test_depth(s, fragments, &mut Kept { values, first: 0 }, pass, tile);
+}
+
+/// Lanes where `source OP reference`.
+#[inline(always)]
+pub(crate) fn compare<S: Simd>(s: S, op: Compare, source: S::I, reference: S::I) -> S::M {
+    let one = s.splat(1);
+    match op {
+        Compare::Never => s.mask(0),
+        Compare::Less => reference.gt(source),
+        Compare::Equal => source.eq(reference),
+        Compare::LessEqual => (reference + one).gt(source),
+        Compare::Greater => source.gt(reference),
+        Compare::NotEqual => source.gt(reference) | reference.gt(source),
+        Compare::GreaterEqual => (source + one).gt(reference),
+        Compare::Always => s.mask(u32::MAX),
+    }
+}
+
+/// What happens to a depth value, the same for a whole block.
+#[derive(Clone, Copy)]
+pub(super) struct DepthTest {
+    test: Option<Compare>,
+    bias: Option<i32>,
+    constant: Option<i32>,
+    /// Written as soon as it passes.
+    writes: bool,
+}
+
+impl DepthTest {
+    #[inline(always)]
+    pub fn new(pipeline: &Pipeline) -> DepthTest {
+        let depth = &pipeline.state.depth;
+        DepthTest {
+            test: depth.test,
+            bias: depth.bias.map(i32::from),
+            constant: depth.compare_constant.map(i32::from),
+            writes: pipeline.writes_depth() && !pipeline.needs.late_depth_write,
+        }
+    }
+
+    /// The value that is compared and written.
+    #[inline(always)]
+    pub fn biased<S: Simd>(&self, s: S, value: S::I) -> S::I {
+        match self.bias {
+            Some(bias) => (value + s.splat(bias)).max(s.splat(0)).min(s.splat(0xffff)),
+            None => value,
+        }
+    }
+
+    /// Tests and writes a stamp's biased values at `at` of the aux plane;
+    /// which of the `live` lanes pass.
+    #[inline(always)]
+    pub fn run<S: Simd>(&self, s: S, value: S::I, live: S::M, aux: &mut [u16], at: usize) -> S::M {
+        let mut passed = live;
+        if let Some(op) = self.test {
+            let source = match self.constant {
+                Some(constant) => s.splat(constant),
+                None => value,
+            };
+            passed = live & compare(s, op, source, s.load16(&aux[at..]));
+        }
+        if self.writes {
+            s.store16(value, &mut aux[at..], passed);
+        }
+        passed
+    }
+}
+
+/// The parts of a block that the depth test works on.
+struct Fragments<'a> {
+    live: &'a mut u64,
+    slots: &'a [Slot],
+    depth: &'a mut Lanes,
+}
+
+/// Drops the fragments that fail the depth test, and writes the depth of the
+/// others, at once or into `block.depth` where something later can drop them.
+#[inline(always)]
+fn test_depth<S: Simd, D: DepthLanes<S>>(
+    s: S,
+    fragments: Fragments<'_>,
+    source: &mut D,
+    pass: &Pass<'_>,
+    tile: &mut Tile<'_>,
+) {
+    let needs = &pass.pipeline.needs;
+    if !needs.depth {
         return;
     }
-    for j in (0..STAMP).step_by(S::LANES) {
-        let w = iterate_wide(s, &triangle.w, at.x, at.y, j);
-        s.store(float_w_lanes(s, w), &mut block.w.0[slot * STAMP + j..]);
-    }
-}
-
-/// Computes z and w where the pipeline needs them, and the biased depth.
-#[inline(always)]
-pub(crate) fn depth_values<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
-    let needs = &pass.pipeline.needs;
-    for slot in 0..block.count {
-        let triangle = &pass.triangles[block.slots[slot].triangle as usize];
-        if needs.z {
-            z_of_slot(s, block, triangle, slot);
-        }
-        if needs.w {
-            w_of_slot(s, block, triangle, slot);
-        }
-    }
-    bias_depth(s, block, pass);
-}
-
-/// Makes `block.depth` from z or w and the bias.
-#[inline(always)]
-pub(crate) fn bias_depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
-    let depth = &pass.pipeline.state.depth;
-    let bias = s.splat(i32::from(depth.bias.unwrap_or(0)));
-    let source = match depth.source {
-        DepthSource::Z => &block.z,
-        DepthSource::FloatW => &block.w,
-    };
-    for k in (0..block.len()).step_by(S::LANES) {
-        let biased = (s.load(&source.0[k..]) + bias).max(s.splat(0)).min(s.splat(0xffff));
-        s.store(biased, &mut block.depth.0[k..]);
-    }
-}
-
-/// Lanes where `source OP reference`, as bits.
-#[inline(always)]
-pub(crate) fn compare<S: Simd>(op: Compare, source: S::I, reference: S::I) -> u32 {
-    let all = (1u64 << S::LANES) as u32 - 1;
-    match op {
-        Compare::Never => 0,
-        Compare::Less => reference.gt(source).bits(),
-        Compare::Equal => source.eq(reference).bits(),
-        Compare::LessEqual => !source.gt(reference).bits() & all,
-        Compare::Greater => source.gt(reference).bits(),
-        Compare::NotEqual => !source.eq(reference).bits() & all,
-        Compare::GreaterEqual => !reference.gt(source).bits() & all,
-        Compare::Always => all,
-    }
-}
-
-/// Drops the fragments that fail the depth test.
-#[inline(always)]
-pub(crate) fn depth_test<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
-    let depth = &pass.pipeline.state.depth;
-    let Some(op) = depth.test else { return };
-    let constant = depth.compare_constant.map(i32::from);
-    let mut passed = 0u64;
-    for slot in 0..block.count {
-        let at = block.slots[slot].at as usize;
+    let test = DepthTest::new(pass.pipeline);
+    let before = *fragments.live;
+    let mut left = 0;
+    for (slot, at) in fragments.slots.iter().enumerate() {
+        source.enter(s, pass, at, slot);
         for j in (0..STAMP).step_by(S::LANES) {
             let k = slot * STAMP + j;
-            let source = match constant {
-                Some(value) => s.splat(value),
-                None => s.load(&block.depth.0[k..]),
-            };
-            let stored = s.load16(&tile.aux[at + j..]);
-            passed |= u64::from(compare::<S>(op, source, stored)) << k;
+            let value = test.biased(s, source.lanes(s, pass, at, j));
+            if needs.late_depth_write {
+                s.store(value, &mut fragments.depth.0[k..]);
+            }
+            let live = s.mask((before >> k) as u32);
+            let passed = test.run(s, value, live, tile.aux, at.at as usize + j);
+            left |= u64::from(passed.bits()) << k;
         }
     }
-    tile.counters.depth_fail += block.keep(passed);
+    *fragments.live = left;
+    tile.counters.depth_fail += u64::from((before & !left).count_ones());
 }
 
 /// Writes the depth of the fragments left.

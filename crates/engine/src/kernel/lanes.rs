@@ -3,7 +3,7 @@
 use fillrate_simd::{IntLanes, Simd};
 
 use super::block::STAMP;
-use crate::setup::Plane32;
+use crate::setup::{Narrow, Plane64};
 use crate::state::{DITHER_2X2, DITHER_4X4, Dither};
 
 /// Column of each fragment in its stamp.
@@ -17,12 +17,36 @@ pub(crate) static COLUMN_F: [f64; STAMP] =
 pub(crate) static ROW_F: [f64; STAMP] =
     [0., 0., 0., 0., 1., 1., 1., 1., 2., 2., 2., 2., 3., 3., 3., 3.];
 
-/// A 32-bit attribute at fragments `j..` of the stamp at (x, y).
+/// Screen columns and rows of fragments `j..` of the stamp at (x, y).
 #[inline(always)]
-pub(crate) fn iterate<S: Simd>(s: S, plane: &Plane32, x: i32, y: i32, j: usize) -> S::I {
-    s.splat(plane.at(x, y))
-        + s.load(&COLUMN[j..]).mul(s.splat(plane.dx))
-        + s.load(&ROW[j..]).mul(s.splat(plane.dy))
+pub(crate) fn places<S: Simd>(s: S, x: i32, y: i32, j: usize) -> [S::I; 2] {
+    [s.splat(x) + s.load(&COLUMN[j..]), s.splat(y) + s.load(&ROW[j..])]
+}
+
+/// A 32-bit attribute at screen columns and rows.
+#[inline(always)]
+pub(crate) fn iterate<S: Simd>(s: S, narrow: &Narrow, lane: usize, [x, y]: [S::I; 2]) -> S::I {
+    s.splat(narrow.c[lane]) + (x.mul(s.splat(narrow.dx[lane])) + y.mul(s.splat(narrow.dy[lane])))
+}
+
+/// How an edge's value differs from that at a stamp's first fragment at each
+/// of its fragments.
+#[inline(always)]
+pub(crate) fn ramp<S: Simd>(s: S, dx: i32, dy: i32, out: &mut [i32; STAMP]) {
+    for j in (0..STAMP).step_by(S::LANES) {
+        let ramp = s.load(&COLUMN[j..]).mul(s.splat(dx)) + s.load(&ROW[j..]).mul(s.splat(dy));
+        s.store(ramp, &mut out[j..]);
+    }
+}
+
+/// The same for a 64-bit attribute, in floats; exact where the triangle is.
+#[inline(always)]
+pub(crate) fn ramp_wide<S: Simd>(s: S, plane: &Plane64, out: &mut [f64; STAMP]) {
+    let (dx, dy) = (s.splat_f(plane.dx as f64), s.splat_f(plane.dy as f64));
+    for j in (0..STAMP).step_by(S::LANES) {
+        let ramp = s.load_f(&COLUMN_F[j..]) * dx + s.load_f(&ROW_F[j..]) * dy;
+        s.store_f(ramp, &mut out[j..]);
+    }
 }
 
 /// The chip's wrap rule for an iterated integer part `t`: of its `WIDE` bits,

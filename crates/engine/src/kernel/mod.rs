@@ -19,6 +19,7 @@ mod chroma_key;
 mod combine;
 mod fog;
 mod iterate;
+mod joined;
 mod output;
 mod stages;
 mod stipple;
@@ -26,7 +27,7 @@ mod stipple;
 pub(crate) use pipeline::Pipeline;
 pub(crate) use stages::{StageList, run, stage_list};
 
-use crate::setup::Triangle;
+use crate::setup::{Triangle, Triangles};
 use crate::stats::Counters;
 use crate::target::PixelFormat;
 
@@ -35,7 +36,15 @@ use crate::target::PixelFormat;
 #[derive(Clone, Copy)]
 pub(crate) struct Pass<'a> {
     pub pipeline: &'a Pipeline,
-    pub triangles: &'a [Triangle],
+    pub triangles: &'a Triangles,
+}
+
+impl Pass<'_> {
+    /// The triangle that a slot belongs to.
+    #[inline(always)]
+    pub fn triangle(&self, slot: &block::Slot) -> &Triangle {
+        &self.triangles.list[slot.triangle as usize]
+    }
 }
 
 /// A tile's colour elements.

@@ -54,7 +54,12 @@ fn reduce<S: Simd>(c: S::I, bits: u32, d: Option<S::I>) -> S::I {
 
 /// Packs colours into elements.
 #[inline(always)]
-fn pack<S: Simd>(s: S, format: PixelFormat, [rb, ga]: [S::I; 2], d: Option<S::I>) -> S::I {
+pub(super) fn pack<S: Simd>(
+    s: S,
+    format: PixelFormat,
+    [rb, ga]: [S::I; 2],
+    d: Option<S::I>,
+) -> S::I {
     let alpha = ga.shr(16);
     match format {
         PixelFormat::Rgb565 => {
@@ -128,20 +133,18 @@ fn blend<S: Simd>(s: S, blend: &Blend, o: &Operands<S>) -> [S::I; 2] {
 }
 
 /// The destination as blending sees it: widened, with what dithering took
-/// given back, and with its alpha from the aux plane or 255.
+/// given back, and with its alpha from the aux plane or 255. `j` is the first
+/// fragment's place in its stamp, and `aux` begins with its element.
 #[inline(always)]
 fn destination<S: Simd>(
     s: S,
     pass: &Pass<'_>,
-    tile: &Tile<'_>,
     config: &Blend,
-    at: usize,
+    format: PixelFormat,
+    element: S::I,
+    aux: &[u16],
     j: usize,
 ) -> [S::I; 2] {
-    let (element, format) = match &tile.color {
-        ColorTile::Bits16(pixels, format) => (s.load16(&pixels[at + j..]), *format),
-        ColorTile::Bits32(pixels, format) => (s.load(&pixels[at + j..]), *format),
-    };
     let [mut rb, mut ga] = unpack(s, format, element);
     if config.subtract_dither && format != PixelFormat::Argb8888 {
         let top = s.splat(0x00ff_00ff);
@@ -150,10 +153,26 @@ fn destination<S: Simd>(
         ga = ga.add16(rest.shr16(2) & s.splat(0xffff)).min16(top);
     }
     if config.alpha_plane {
-        let alpha = (s.load16(&tile.aux[at + j..]) & s.splat(0xff)).shl(16);
+        let alpha = (s.load16(aux) & s.splat(0xff)).shl(16);
         ga = join(s, ga, alpha);
     }
     [rb, ga]
+}
+
+/// Blends a colour with an element of the colour plane.
+#[inline(always)]
+pub(super) fn blended<S: Simd>(
+    s: S,
+    pass: &Pass<'_>,
+    config: &Blend,
+    format: PixelFormat,
+    [source, prefog]: [[S::I; 2]; 2],
+    element: S::I,
+    aux: &[u16],
+    j: usize,
+) -> [S::I; 2] {
+    let destination = destination(s, pass, config, format, element, aux, j);
+    blend(s, config, &Operands { source, destination, prefog })
 }
 
 /// Blends the fragments into `block.color`.
@@ -172,10 +191,33 @@ pub(crate) fn blend_stage<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, til
             } else {
                 source
             };
-            let destination = destination(s, pass, tile, config, at, j);
-            let [rb, ga] = blend(s, config, &Operands { source, destination, prefog });
+            let (element, format) = match &tile.color {
+                ColorTile::Bits16(pixels, format) => (s.load16(&pixels[at + j..]), *format),
+                ColorTile::Bits32(pixels, format) => (s.load(&pixels[at + j..]), *format),
+            };
+            let aux = tile.aux.get(at + j..).unwrap_or(&[]);
+            let [rb, ga] = blended(s, pass, config, format, [source, prefog], element, aux, j);
             s.store(rb, &mut block.color.rb.0[k..]);
             s.store(ga, &mut block.color.ga.0[k..]);
+        }
+    }
+}
+
+/// Counts and writes the fragments left where all have one colour.
+#[inline(always)]
+pub(crate) fn write_flat<S: Simd>(s: S, block: &Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    let Some(stamp) = &pass.pipeline.flat else { return };
+    let ColorTile::Bits16(pixels, _) = &mut tile.color else { return };
+    tile.counters.pixels_out += u64::from(block.live.count_ones());
+    for slot in 0..block.count {
+        let to = &mut pixels[block.slots[slot].at as usize..][..STAMP];
+        let live = (block.live >> (slot * STAMP)) as u32 & 0xffff;
+        if live == 0xffff {
+            to.copy_from_slice(stamp);
+            continue;
+        }
+        for j in (0..STAMP).step_by(S::LANES) {
+            s.store16(s.load16(&stamp[j..]), &mut to[j..], s.mask(live >> j));
         }
     }
 }
@@ -186,33 +228,67 @@ pub(crate) fn blend_stage<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, til
 pub(crate) fn write<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
     let state = &pass.pipeline.state;
     tile.counters.pixels_out += u64::from(block.live.count_ones());
+    if state.aux_write == AuxWrite::Alpha && !tile.aux.is_empty() {
+        write_alpha(s, block, tile);
+    }
+    if !state.color_write {
+        return;
+    }
+    let dither = (state.dither != Dither::Off).then_some(&pass.pipeline.dither);
+    match &mut tile.color {
+        ColorTile::Bits16(pixels, PixelFormat::Rgb565) => {
+            write16(s, block, dither, PixelFormat::Rgb565, pixels);
+        }
+        ColorTile::Bits16(pixels, format) => write16(s, block, dither, *format, pixels),
+        ColorTile::Bits32(pixels, format) => write32(s, block, *format, pixels),
+    }
+}
+
+/// One loop with and one without dithering; the format is known when it is
+/// given as a constant.
+#[inline(always)]
+fn write16<S: Simd>(
+    s: S,
+    block: &Block,
+    dither: Option<&[i32; STAMP]>,
+    format: PixelFormat,
+    pixels: &mut [u16],
+) {
     for slot in 0..block.count {
         let at = block.slots[slot].at as usize;
         for j in (0..STAMP).step_by(S::LANES) {
             let k = slot * STAMP + j;
-            let live = s.mask((block.live >> k) as u32);
             let color = [s.load(&block.color.rb.0[k..]), s.load(&block.color.ga.0[k..])];
-            let dither = match state.dither {
-                Dither::Off => None,
-                _ => Some(s.load(&pass.pipeline.dither[j..])),
+            let packed = match dither {
+                Some(pattern) => pack(s, format, color, Some(s.load(&pattern[j..]))),
+                None => pack(s, format, color, None),
             };
-            if state.color_write {
-                match &mut tile.color {
-                    ColorTile::Bits16(pixels, format) => {
-                        s.store16(pack(s, *format, color, dither), &mut pixels[at + j..], live);
-                    }
-                    ColorTile::Bits32(pixels, format) => {
-                        s.store_masked(
-                            pack(s, *format, color, dither),
-                            &mut pixels[at + j..],
-                            live,
-                        );
-                    }
-                }
-            }
-            if state.aux_write == AuxWrite::Alpha && !tile.aux.is_empty() {
-                s.store16(color[1].shr(16), &mut tile.aux[at + j..], live);
-            }
+            s.store16(packed, &mut pixels[at + j..], s.mask((block.live >> k) as u32));
+        }
+    }
+}
+
+#[inline(always)]
+fn write32<S: Simd>(s: S, block: &Block, format: PixelFormat, pixels: &mut [i32]) {
+    for slot in 0..block.count {
+        let at = block.slots[slot].at as usize;
+        for j in (0..STAMP).step_by(S::LANES) {
+            let k = slot * STAMP + j;
+            let color = [s.load(&block.color.rb.0[k..]), s.load(&block.color.ga.0[k..])];
+            let packed = pack(s, format, color, None);
+            s.store_masked(packed, &mut pixels[at + j..], s.mask((block.live >> k) as u32));
+        }
+    }
+}
+
+#[inline(always)]
+fn write_alpha<S: Simd>(s: S, block: &Block, tile: &mut Tile<'_>) {
+    for slot in 0..block.count {
+        let at = block.slots[slot].at as usize;
+        for j in (0..STAMP).step_by(S::LANES) {
+            let k = slot * STAMP + j;
+            let alpha = s.load(&block.color.ga.0[k..]).shr(16);
+            s.store16(alpha, &mut tile.aux[at + j..], s.mask((block.live >> k) as u32));
         }
     }
 }

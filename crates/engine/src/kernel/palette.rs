@@ -182,7 +182,7 @@ impl<'a, const SOURCE: u8> StampPainter<'a, SOURCE> {
             if let Some(test) = self.draw.state.test
                 && !pixels.depth.is_empty()
             {
-                let passed = compare::<S>(test, depth, s.load16(&pixels.depth[at + j..]));
+                let passed = compare(s, test, depth, s.load16(&pixels.depth[at + j..])).bits();
                 counters.depth_fail += u64::from((live & !passed).count_ones());
                 live &= passed;
                 if live == 0 {

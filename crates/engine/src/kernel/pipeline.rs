@@ -2,15 +2,23 @@
 
 use std::sync::Arc;
 
-use super::block::{Colors, STAMP};
-use super::combine::Switches;
+use fillrate_simd::Scalar;
+
+use super::block::{Block, Colors, STAMP};
+use super::combine::{Arithmetic, Switches};
 use super::fog::fog_entries;
+use super::joined::{Joined, join_stages};
 use super::lanes::dither_pattern;
+use super::stages::{StageList, run, stage_list};
 use super::texture::UnitPlan;
+use super::{ColorTile, Pass, Tile};
+use crate::setup::Triangles;
 use crate::state::{
-    AlphaLocal, AuxWrite, ColorLocal, Compare, DepthSource, Dither, DrawState, Factor, FogAmount,
-    MAX_TMUS, Other,
+    Addend, AlphaLocal, AuxWrite, ColorLocal, CombineUnit, Compare, Dither, DrawState, Factor,
+    FogAmount, MAX_TMUS, Other,
 };
+use crate::stats::Counters;
+use crate::target::PixelFormat;
 use crate::texture::{Texture, TextureDesc};
 
 /// One stage of the list.
@@ -31,13 +39,19 @@ pub(crate) enum Stage {
     Blend,
     DepthWrite,
     Write,
+    /// The end of the list in one loop.
+    Joined(Joined),
+    /// One colour for all fragments; see [`Pipeline::flat`].
+    Flat,
 }
 
 /// Which iterated values the stages read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Needs {
-    pub z: bool,
-    pub w: bool,
+    /// z is read after the depth test.
+    pub keeps_z: bool,
+    /// The pseudo-float w is read after the depth test.
+    pub keeps_w: bool,
     pub colors: bool,
     /// Fragments can be dropped after the depth test, or blending reads the
     /// aux plane, so depth is written at the end.
@@ -56,20 +70,29 @@ pub(crate) struct Pipeline {
     /// Texture units that iterate coordinates: the highest in use, plus one.
     pub unit_count: usize,
     pub combine: Switches,
+    pub arithmetic: Arithmetic,
+    /// Iterated colours are the fragments' colours; no combine stage runs.
+    pub passes_iterated: bool,
+    /// Something after the combine units reads alpha.
+    pub reads_alpha: bool,
     pub color0: Colors,
     pub color1: Colors,
     pub zero: Colors,
     pub fog_entries: [u64; 64],
     pub dither: [i32; STAMP],
+    /// The stamp that the pipeline draws, where every fragment gets the same
+    /// colour, whatever its place and what was there before.
+    pub flat: Option<[u16; STAMP]>,
     /// 15 less the 4x4 matrix: what dithering took, at most.
     pub undither: [i32; STAMP],
 }
 
 impl Pipeline {
-    /// Compiles a state for a target with or without an aux plane.
+    /// Compiles a state for a target of `format`, with or without an aux plane.
     pub fn new(
         state: &DrawState,
         textures: &[Option<Arc<Texture>>; MAX_TMUS],
+        format: PixelFormat,
         has_aux: bool,
     ) -> Pipeline {
         let mut state = *state;
@@ -80,32 +103,50 @@ impl Pipeline {
                 blend.alpha_plane = false;
             }
         }
-        let needs = needs(&state);
+        let reads_alpha = reads_alpha(&state, format);
+        let needs = needs(&state, reads_alpha);
         let units = units(&state, textures);
-        Pipeline {
-            stages: stages(&state, &needs, &units),
+        let passes_iterated = passes_iterated(&state, reads_alpha);
+        let (color, alpha) = (&state.color_combine.unit, &state.alpha_combine.unit);
+        let mut pipeline = Pipeline {
+            stages: stages(&state, &needs, &units, passes_iterated),
+            passes_iterated,
+            arithmetic: Arithmetic::of(color, alpha, reads_alpha),
+            reads_alpha,
             needs,
             unit_count: units.iter().rposition(Option::is_some).map_or(0, |i| i + 1),
             units,
-            combine: Switches::new(&state.color_combine.unit, &state.alpha_combine.unit),
+            combine: Switches::new(color, alpha),
             color0: Colors::splat(state.color0),
             color1: Colors::splat(state.color1),
             zero: Colors::splat(0),
             fog_entries: fog_entries(&state.fog_table),
             dither: dither_pattern(state.dither),
+            flat: None,
             undither: dither_pattern(Dither::Ordered4x4).map(|d| 0x000f_000f - d),
             state,
-        }
+        };
+        join_stages(&mut pipeline, format);
+        flatten(&mut pipeline, format);
+        pipeline
+    }
+
+    /// Whether a triangle that covers a tile replaces all its colours and
+    /// changes nothing else.
+    pub fn replaces_tile(&self) -> bool {
+        self.flat.is_some() && self.stages == [Stage::Flat]
     }
 
     /// Compiles the stages that ready-made fragments pass: no texturing, no
     /// combining, and a depth without bias.
-    pub fn for_pixels(state: &DrawState, has_aux: bool) -> Pipeline {
+    pub fn for_pixels(state: &DrawState, format: PixelFormat, has_aux: bool) -> Pipeline {
         let mut state = *state;
         state.depth.bias = None;
         state.units = [None; MAX_TMUS];
         state.color_combine.other = Other::Iterated;
-        let mut pipeline = Pipeline::new(&state, &[const { None }; MAX_TMUS], has_aux);
+        let mut pipeline = Pipeline::new(&state, &[const { None }; MAX_TMUS], format, has_aux);
+        pipeline.stages =
+            stages(&pipeline.state, &pipeline.needs, &pipeline.units, pipeline.passes_iterated);
         let made = [Stage::IterateColors, Stage::Combine];
         pipeline.stages.retain(|stage| !made.contains(stage));
         for stage in &mut pipeline.stages {
@@ -132,6 +173,43 @@ impl Pipeline {
     }
 }
 
+/// Draws one stamp now, where combine and write need nothing of the fragments,
+/// and replaces these stages by storing it.
+fn flatten(pipeline: &mut Pipeline, format: PixelFormat) {
+    let state = &pipeline.state;
+    let ends = pipeline.stages.ends_with(&[Stage::Combine, Stage::Write]);
+    let before = pipeline.stages.len().saturating_sub(2);
+    let constant = ends
+        && format.bytes() == 2
+        && state.color_write
+        && state.aux_write != AuxWrite::Alpha
+        && !pipeline.needs.colors
+        && !reads_texture(state)
+        && state.alpha_combine.local != AlphaLocal::Depth;
+    if !constant {
+        return;
+    }
+    let mut stamp = [0; STAMP];
+    draw_stamp(pipeline, before, format, &mut stamp);
+    pipeline.flat = Some(stamp);
+    pipeline.stages.truncate(before);
+    pipeline.stages.push(Stage::Flat);
+}
+
+/// Runs the stages from `first` on over one whole stamp.
+fn draw_stamp(pipeline: &Pipeline, first: usize, format: PixelFormat, to: &mut [u16; STAMP]) {
+    let mut block = Block::new();
+    (block.live, block.count) = (0xffff, 1);
+    let mut list = StageList::<Scalar>::new();
+    stage_list(&pipeline.stages[first..], &mut list);
+    let triangles = Triangles::default();
+    let mut counters = Counters::default();
+    let pass = Pass { pipeline, triangles: &triangles };
+    let color = ColorTile::Bits16(to, format);
+    let mut tile = Tile { color, aux: &mut [], counters: &mut counters };
+    run(Scalar, &list, &mut block, &pass, &mut tile);
+}
+
 fn units(
     state: &DrawState,
     textures: &[Option<Arc<Texture>>; MAX_TMUS],
@@ -154,27 +232,36 @@ fn transparent_black() -> Arc<Texture> {
     Arc::new(texture.expect("one texel is a valid texture"))
 }
 
-/// Whether the colour or alpha unit reads the iterated colours.
-fn reads_iterated(state: &DrawState) -> bool {
+/// Whether anything reads the iterated colours.
+fn reads_iterated(state: &DrawState, reads_alpha: bool) -> bool {
     let (cc, ac) = (&state.color_combine, &state.alpha_combine);
-    cc.other == Other::Iterated
-        || ac.other == Other::Iterated
-        || cc.local != ColorLocal::Constant
-        || ac.local == AlphaLocal::Iterated
+    let (color, alpha) = (&cc.unit, &ac.unit);
+    let color_other = !color.zero_other || state.chroma_key.is_some();
+    let color_local =
+        color.subtract_local || color.add == Addend::Local || color.factor == Factor::Local;
+    let alpha_other = color.factor == Factor::OtherAlpha
+        || reads_alpha && (!alpha.zero_other || alpha.factor == Factor::OtherAlpha);
+    let alpha_local = color.factor == Factor::LocalAlpha
+        || color.add == Addend::LocalAlpha
+        || reads_alpha
+            && (alpha.subtract_local
+                || alpha.add != Addend::Zero
+                || matches!(alpha.factor, Factor::Local | Factor::LocalAlpha));
+    color_other && cc.other == Other::Iterated
+        || color_local && cc.local != ColorLocal::Constant
+        || alpha_other && ac.other == Other::Iterated
+        || alpha_local && ac.local == AlphaLocal::Iterated
         || state.fog.is_some_and(|fog| fog.amount == FogAmount::IteratedAlpha)
 }
 
-fn needs(state: &DrawState) -> Needs {
+fn needs(state: &DrawState, reads_alpha: bool) -> Needs {
     let fog = |amount: FogAmount| state.fog.is_some_and(|fog| fog.amount == amount);
     let compares = state.depth.test.is_some_and(|test| test != Compare::Always);
     let depth = compares || state.aux_write == AuxWrite::Depth;
-    let source = |source: DepthSource| depth && state.depth.source == source;
     Needs {
-        z: source(DepthSource::Z)
-            || fog(FogAmount::IteratedZ)
-            || state.alpha_combine.local == AlphaLocal::Depth,
-        w: source(DepthSource::FloatW) || fog(FogAmount::Table),
-        colors: reads_iterated(state),
+        keeps_z: fog(FogAmount::IteratedZ) || state.alpha_combine.local == AlphaLocal::Depth,
+        keeps_w: fog(FogAmount::Table),
+        colors: reads_iterated(state, reads_alpha),
         late_depth_write: state.chroma_key.is_some()
             || state.alpha_test.is_some()
             || state.blend.is_some_and(|blend| blend.alpha_plane),
@@ -193,10 +280,36 @@ fn reads_texture(state: &DrawState) -> bool {
         || texture_factor(ac.unit.factor)
 }
 
+/// Whether anything after the combine units reads alpha.
+fn reads_alpha(state: &DrawState, format: PixelFormat) -> bool {
+    format != PixelFormat::Rgb565
+        || state.alpha_test.is_some()
+        || state.blend.is_some()
+        || state.aux_write == AuxWrite::Alpha
+}
+
+/// Whether the fragments' colours are the iterated ones, and no other stage
+/// reads those.
+fn passes_iterated(state: &DrawState, reads_alpha: bool) -> bool {
+    let (cc, ac) = (&state.color_combine, &state.alpha_combine);
+    // Multiplied by one whole.
+    let passes_other =
+        |unit: &CombineUnit<Factor>| unit.scales() && unit.factor == Factor::Zero && unit.one_minus;
+    let color = passes_other(&cc.unit) && cc.other == Other::Iterated
+        || cc.unit.passes_local()
+            && cc.unit.add == Addend::Local
+            && cc.local == ColorLocal::Iterated;
+    let alpha = passes_other(&ac.unit) && ac.other == Other::Iterated
+        || ac.unit.passes_local() && ac.local == AlphaLocal::Iterated;
+    let fogged = state.fog.is_some_and(|fog| fog.amount == FogAmount::IteratedAlpha);
+    color && (alpha || !reads_alpha) && state.chroma_key.is_none() && !fogged
+}
+
 fn stages(
     state: &DrawState,
     needs: &Needs,
     units: &[Option<Box<UnitPlan>>; MAX_TMUS],
+    passes_iterated: bool,
 ) -> Vec<Stage> {
     let mut list = Vec::with_capacity(16);
     let mut add = |wanted: bool, stage: Stage| {
@@ -205,7 +318,7 @@ fn stages(
         }
     };
     add(state.stipple.is_some(), Stage::Stipple);
-    add(needs.depth || needs.z || needs.w, Stage::Depth);
+    add(needs.depth || needs.keeps_z || needs.keeps_w, Stage::Depth);
     if reads_texture(state) {
         for (index, plan) in units.iter().enumerate().rev() {
             let Some(plan) = plan else { continue };
@@ -216,7 +329,7 @@ fn stages(
     }
     add(needs.colors, Stage::IterateColors);
     add(state.chroma_key.is_some(), Stage::ChromaKey);
-    add(true, Stage::Combine);
+    add(!passes_iterated, Stage::Combine);
     add(state.alpha_test.is_some(), Stage::AlphaTest);
     add(state.fog.is_some(), Stage::Fog);
     add(state.blend.is_some(), Stage::Blend);

@@ -3,6 +3,7 @@
 use fillrate_simd::{Kernel, Simd};
 
 use super::block::Block;
+use super::joined::{self, ColorSource};
 use super::pipeline::Stage;
 use super::texture::{address, fetch, texture_combine};
 use super::{Pass, Tile, alpha_test, chroma_key, combine, depth, fog, iterate, output, stipple};
@@ -32,15 +33,6 @@ macro_rules! stage {
     };
 }
 
-/// The depth test, and the write where nothing later can drop a fragment.
-#[inline(always)]
-fn test_depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
-    depth::depth_test(s, block, pass, tile);
-    if pass.pipeline.writes_depth() && !pass.pipeline.needs.late_depth_write {
-        depth::depth_write(s, block, tile);
-    }
-}
-
 macro_rules! unit_stages {
     ($($address:ident $fetch:ident $combine:ident $index:literal)*) => {$(
         stage!($address, |s, block, pass, _tile| {
@@ -60,11 +52,8 @@ unit_stages! {
     address_1 fetch_1 texture_combine_1 1
     address_2 fetch_2 texture_combine_2 2
 }
-stage!(depth_stage, |s, block, pass, tile| {
-    depth::depth_values(s, block, pass);
-    test_depth(s, block, pass, tile)
-});
-stage!(ready_depth, |s, block, pass, tile| test_depth(s, block, pass, tile));
+stage!(depth_stage, |s, block, pass, tile| depth::depth(s, block, pass, tile));
+stage!(ready_depth, |s, block, pass, tile| depth::ready_depth(s, block, pass, tile));
 stage!(iterate_colors, |s, block, pass, _tile| iterate::iterate_colors(s, block, pass));
 stage!(chroma_key, |s, block, pass, tile| chroma_key::chroma_key(s, block, pass, tile));
 stage!(combine, |s, block, pass, _tile| combine::combine(s, block, pass));
@@ -72,6 +61,19 @@ stage!(alpha_test, |s, block, pass, tile| alpha_test::alpha_test(s, block, pass,
 stage!(fog, |s, block, pass, _tile| fog::fog(s, block, pass));
 stage!(depth_write, |s, block, _pass, tile| depth::depth_write(s, block, tile));
 stage!(blend, |s, block, pass, tile| output::blend_stage(s, block, pass, tile));
+stage!(iterated_end, |s, block, pass, tile| {
+    joined::run_joined::<S, false, false, true>(s, block, pass, tile)
+});
+stage!(depth_iterated_end, |s, block, pass, tile| {
+    joined::run_joined::<S, true, false, true>(s, block, pass, tile)
+});
+stage!(texel_end, |s, block, pass, tile| {
+    joined::run_joined::<S, false, true, false>(s, block, pass, tile)
+});
+stage!(product_end, |s, block, pass, tile| {
+    joined::run_joined::<S, false, true, true>(s, block, pass, tile)
+});
+stage!(write_flat, |s, block, pass, tile| output::write_flat(s, block, pass, tile));
 stage!(write, |s, block, pass, tile| output::write(s, block, pass, tile));
 
 fn stipple_stage<S: Simd>(_: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
@@ -103,6 +105,13 @@ pub(crate) fn stage_list<S: Simd>(stages: &[Stage], out: &mut StageList<S>) {
             Stage::DepthWrite => depth_write,
             Stage::Blend => blend,
             Stage::Write => write,
+            Stage::Flat => write_flat,
+            Stage::Joined(end) => match (end.depth, end.color) {
+                (false, ColorSource::Iterated) => iterated_end,
+                (true, _) => depth_iterated_end,
+                (false, ColorSource::Texel) => texel_end,
+                (false, ColorSource::Product) => product_end,
+            },
         }
     }));
 }

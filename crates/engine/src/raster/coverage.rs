@@ -2,17 +2,25 @@
 //!
 //! An edge that lies outside a tile, or leaves all of it inside, is decided
 //! once with 64-bit arithmetic. What remains crosses the tile, so its values
-//! there fit in 32 bits, however far away the vertices are.
+//! there fit in 32 bits, however far away the vertices are. A row of sixteen
+//! stamps is then classified at once: outside, inside, or crossed by an edge.
 
 use fillrate_simd::{IntLanes, MaskLanes, Simd};
 
 use crate::kernel::block::STAMP;
-use crate::kernel::lanes::{COLUMN, ROW};
+use crate::kernel::lanes::ramp;
 use crate::setup::{Edge, Triangle};
 use crate::state::Rect;
 
 /// All fragments of a stamp.
 pub(crate) const FULL: u32 = 0xffff;
+/// Stamps that are classified together.
+const GROUP: usize = 16;
+/// Screen columns of a group.
+const GROUP_WIDTH: u32 = 4 * GROUP as u32;
+
+/// 4, 8, ... : columns from a group's first stamp to each of its stamps.
+static STAMP_COLUMNS: [i32; GROUP] = [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60];
 
 /// An edge within one tile.
 #[derive(Clone, Copy)]
@@ -24,13 +32,13 @@ struct TileEdge {
     /// Least and greatest offset within a stamp.
     least: i32,
     greatest: i32,
-    /// Offsets of a stamp's fragments.
-    offsets: [i32; STAMP],
 }
 
 /// A triangle within one tile.
 pub(crate) struct TileCoverage {
     edges: [TileEdge; 3],
+    /// Offsets of a stamp's fragments, for each edge.
+    offsets: [[i32; STAMP]; 3],
     count: usize,
     /// The tile's first pixel.
     x: i32,
@@ -39,43 +47,98 @@ pub(crate) struct TileCoverage {
     pub area: Rect,
 }
 
-impl TileCoverage {
-    /// `None` where the triangle covers nothing of the tile.
+/// The covered stamps of a group, as bits from the left.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct GroupCoverage {
+    /// Stamps of which every fragment is covered.
+    pub full: u32,
+    /// Others that may have covered fragments.
+    pub partial: u32,
+}
+
+impl GroupCoverage {
+    /// Screen columns of the covered stamps of a group that begins at `first`,
+    /// and whether each is covered whole.
     #[inline(always)]
-    pub fn new<S: Simd>(s: S, triangle: &Triangle, tile: &Rect) -> Option<TileCoverage> {
-        let edges = &triangle.edges[..triangle.edge_count as usize];
-        TileCoverage::of_edges(s, edges, &triangle.bounds, tile)
+    pub fn stamps(self, first: u32) -> Stamps {
+        Stamps { group: self, first }
+    }
+}
+
+/// See [`GroupCoverage::stamps`].
+pub(crate) struct Stamps {
+    group: GroupCoverage,
+    first: u32,
+}
+
+impl Iterator for Stamps {
+    type Item = (u32, bool);
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<(u32, bool)> {
+        let GroupCoverage { full, partial } = &mut self.group;
+        let stamps = *full | *partial;
+        if stamps == 0 {
+            return None;
+        }
+        let bit = stamps & stamps.wrapping_neg();
+        let is_full = *full & bit != 0;
+        *full &= !bit;
+        *partial &= !bit;
+        Some((self.first + 4 * bit.trailing_zeros(), is_full))
+    }
+}
+
+impl TileCoverage {
+    pub const NONE: TileCoverage = TileCoverage {
+        edges: [TileEdge { start: 0, a: 0, b: 0, least: 0, greatest: 0 }; 3],
+        offsets: [[0; STAMP]; 3],
+        count: 0,
+        x: 0,
+        y: 0,
+        area: Rect::new(0, 0, 0, 0),
+    };
+
+    /// Becomes a triangle's coverage of a tile; false where it covers nothing
+    /// of it.
+    #[inline(always)]
+    pub fn enter<S: Simd>(&mut self, s: S, triangle: &Triangle, tile: &Rect) -> bool {
+        let edges = &triangle.edges[..usize::from(triangle.edge_count)];
+        self.enter_edges(s, edges, &triangle.bounds, tile)
     }
 
-    /// As [`TileCoverage::new`], of at most three edges and bounds.
+    /// As [`TileCoverage::enter`], of at most three edges and bounds.
     #[inline(always)]
-    pub fn of_edges<S: Simd>(
+    pub fn enter_edges<S: Simd>(
+        &mut self,
         s: S,
         edges: &[Edge],
         bounds: &Rect,
         tile: &Rect,
-    ) -> Option<TileCoverage> {
-        let area = bounds.intersect(tile);
-        if area.is_empty() {
-            return None;
+    ) -> bool {
+        self.area = bounds.intersect(tile);
+        if self.area.is_empty() {
+            return false;
         }
-        let empty = TileEdge { start: 0, a: 0, b: 0, least: 0, greatest: 0, offsets: [0; STAMP] };
         let (x, y) = (tile.x0 as i32, tile.y0 as i32);
-        let mut out = TileCoverage { edges: [empty; 3], count: 0, x, y, area };
+        (self.x, self.y, self.count) = (x, y, 0);
         let last = i64::from(tile.x1 - tile.x0 - 1);
         for edge in edges {
             let start = edge.at(x, y);
             let (a, b) = (i64::from(edge.a), i64::from(edge.b));
             if start + (a.max(0) + b.max(0)) * last < 0 {
-                return None;
+                return false;
             }
             if start + (a.min(0) + b.min(0)) * last >= 0 {
                 continue;
             }
-            out.edges[out.count] = tile_edge(s, start as i32, edge.a, edge.b);
-            out.count += 1;
+            let (a, b) = (edge.a, edge.b);
+            ramp(s, a, b, &mut self.offsets[self.count]);
+            let (least, greatest) = (3 * (a.min(0) + b.min(0)), 3 * (a.max(0) + b.max(0)));
+            self.edges[self.count] = TileEdge { start: start as i32, a, b, least, greatest };
+            self.count += 1;
         }
-        Some(out)
+        true
     }
 
     /// Whether every pixel of `area` is covered.
@@ -83,36 +146,74 @@ impl TileCoverage {
         self.count == 0
     }
 
-    /// The covered fragments of the stamp at screen position (x, y); `None`
-    /// where it and all stamps to its right are beyond an edge.
-    ///
-    /// An empty stamp alone says nothing of the next: slivers have gaps.
+    /// Whether the area is so small that its stamps are not worth classifying.
+    pub fn is_small(&self) -> bool {
+        let stamps = |from: u32, to: u32| to.div_ceil(4) - from / 4;
+        stamps(self.area.x0, self.area.x1) * stamps(self.area.y0, self.area.y1) <= 6
+    }
+
+    /// Screen columns where the groups of a row of stamps begin.
+    pub fn groups(&self) -> impl Iterator<Item = u32> + use<> {
+        let first = self.area.x0 & !(GROUP_WIDTH - 1);
+        (first..self.area.x1).step_by(GROUP_WIDTH as usize)
+    }
+
+    /// Screen rows where the rows of stamps begin.
+    pub fn rows(&self) -> impl Iterator<Item = u32> + use<> {
+        (self.area.y0 & !3..self.area.y1).step_by(4)
+    }
+
+    /// Classifies the group of stamps at screen position (x, y).
     #[inline(always)]
-    pub fn stamp<S: Simd>(&self, s: S, x: u32, y: u32) -> Option<u32> {
-        let mut mask = rect_mask(&self.area, x, y);
-        let (dx, dy) = (x as i32 - self.x, y as i32 - self.y);
+    pub fn group<S: Simd>(&self, s: S, x: u32, y: u32) -> GroupCoverage {
+        let area = &self.area;
+        let bits = |from: u32, to: u32| {
+            let column = |at: u32| (at.saturating_sub(x) / 4).min(GROUP as u32);
+            (1u32 << column(to)).wrapping_sub(1) & !((1u32 << column(from)) - 1)
+        };
+        let mut touched = bits(area.x0, area.x1 + 3);
+        let whole_rows = area.y0 <= y && y + 4 <= area.y1;
+        let mut full = if whole_rows { bits(area.x0 + 3, area.x1) } else { 0 };
         for edge in &self.edges[..self.count] {
-            let value = edge.start + edge.a * dx + edge.b * dy;
-            if value + edge.greatest < 0 {
-                return if edge.a <= 0 { None } else { Some(0) };
-            }
-            if value + edge.least < 0 {
-                mask &= inside(s, value, &edge.offsets);
+            let at = edge.start + edge.a * (x as i32 - self.x) + edge.b * (y as i32 - self.y);
+            for j in (0..GROUP).step_by(S::LANES) {
+                let value = s.splat(at) + s.load(&STAMP_COLUMNS[j..]).mul(s.splat(edge.a));
+                let outside = s.splat(-edge.greatest).gt(value).bits() << j;
+                let crossed = s.splat(-edge.least).gt(value).bits() << j;
+                touched &= !outside;
+                full &= !crossed;
             }
         }
-        Some(mask)
+        GroupCoverage { full, partial: touched & !full }
     }
-}
 
-#[inline(always)]
-fn tile_edge<S: Simd>(s: S, start: i32, a: i32, b: i32) -> TileEdge {
-    let mut offsets = [0; STAMP];
-    for j in (0..STAMP).step_by(S::LANES) {
-        let offset = s.load(&COLUMN[j..]).mul(s.splat(a)) + s.load(&ROW[j..]).mul(s.splat(b));
-        s.store(offset, &mut offsets[j..]);
+    /// Fragments that are covered.
+    #[inline(always)]
+    pub fn count<S: Simd>(&self, s: S) -> u64 {
+        if self.is_full() {
+            return self.area.area();
+        }
+        let mut count = 0;
+        for y in self.rows() {
+            for first in self.groups() {
+                for (x, _) in self.group(s, first, y).stamps(first) {
+                    count += u64::from(self.stamp(s, x, y).count_ones());
+                }
+            }
+        }
+        count
     }
-    let (least, greatest) = (3 * (a.min(0) + b.min(0)), 3 * (a.max(0) + b.max(0)));
-    TileEdge { start, a, b, least, greatest, offsets }
+
+    /// The covered fragments of the stamp at screen position (x, y).
+    #[inline(always)]
+    pub fn stamp<S: Simd>(&self, s: S, x: u32, y: u32) -> u32 {
+        let mut mask = rect_mask(&self.area, x, y);
+        for (edge, offsets) in self.edges.iter().zip(&self.offsets).take(self.count) {
+            let at = edge.start + edge.a * (x as i32 - self.x) + edge.b * (y as i32 - self.y);
+            mask &= inside(s, at, offsets);
+        }
+        mask
+    }
 }
 
 /// Fragments whose edge value is not negative.

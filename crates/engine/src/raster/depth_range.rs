@@ -2,7 +2,7 @@
 
 use crate::kernel::Pipeline;
 use crate::kernel::depth::float_w;
-use crate::setup::Triangle;
+use crate::setup::{Triangle, Triangles, Z};
 use crate::state::{AuxWrite, Compare, DepthSource, Rect};
 use crate::target::TileCell;
 
@@ -10,6 +10,7 @@ use crate::target::TileCell;
 /// where iterators may wrap there.
 pub(crate) fn depth_range(
     pipeline: &Pipeline,
+    triangles: &Triangles,
     triangle: &Triangle,
     area: &Rect,
 ) -> Option<(u16, u16)> {
@@ -17,9 +18,9 @@ pub(crate) fn depth_range(
     let (right, down) = (i64::from(area.x1 - area.x0 - 1), i64::from(area.y1 - area.y0 - 1));
     let (low, high) = match pipeline.state.depth.source {
         DepthSource::Z => {
-            let z = &triangle.z;
-            let corner = i64::from(z.at(x, y));
-            let (dx, dy) = (i64::from(z.dx) * right, i64::from(z.dy) * down);
+            let narrow = &triangle.narrow;
+            let corner = i64::from(narrow.value(Z, x, y));
+            let (dx, dy) = (i64::from(narrow.dx[Z]) * right, i64::from(narrow.dy[Z]) * down);
             let low = corner + dx.min(0) + dy.min(0);
             let high = corner + dx.max(0) + dy.max(0);
             if low < 0 || high >= 0x1_0000 << 12 {
@@ -28,7 +29,7 @@ pub(crate) fn depth_range(
             (low >> 12, high >> 12)
         }
         DepthSource::FloatW => {
-            let w = &triangle.w;
+            let w = triangles.w(triangle);
             if !triangle.exact {
                 return None;
             }

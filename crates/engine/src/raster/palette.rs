@@ -2,7 +2,7 @@
 
 use fillrate_simd::{Kernel, Simd};
 
-use super::coverage::TileCoverage;
+use super::coverage::{FULL, TileCoverage};
 use crate::kernel::palette::{Pixels, Place, StampPainter, source};
 use crate::setup::{Shape, Texels};
 use crate::state::{Compare, PaletteDraw, Rect};
@@ -30,8 +30,10 @@ pub(crate) fn draw_shape<S: Simd>(
     shape: &Shape,
     mut tile: PaletteTile<'_>,
 ) {
-    let coverage = TileCoverage::of_edges(s, shape.edges(), &shape.bounds, &tile.rect);
-    let Some(coverage) = coverage else { return };
+    let mut coverage = TileCoverage::NONE;
+    if !coverage.enter_edges(s, shape.edges(), &shape.bounds, &tile.rect) {
+        return;
+    }
     if tile.is_hidden(draw, shape) {
         return tile.count_hidden(s, &coverage);
     }
@@ -60,18 +62,7 @@ impl PaletteTile<'_> {
 
     #[inline(always)]
     fn count_hidden<S: Simd>(&mut self, s: S, coverage: &TileCoverage) {
-        let area = coverage.area;
-        let mut count = 0;
-        if coverage.is_full() {
-            count = area.area();
-        } else {
-            for y in (area.y0 & !3..area.y1).step_by(4) {
-                for x in (area.x0 & !3..area.x1).step_by(4) {
-                    let Some(mask) = coverage.stamp(s, x, y) else { break };
-                    count += u64::from(mask.count_ones());
-                }
-            }
-        }
+        let count = coverage.count(s);
         self.counters.pixels_in += count;
         self.counters.depth_fail += count;
     }
@@ -126,17 +117,18 @@ impl<const SOURCE: u8> Kernel for Stamps<'_, SOURCE> {
         };
         let mut pixels = Pixels { color, depth };
         let painter = StampPainter::<SOURCE>::new(s, draw, shape);
-        let area = coverage.area;
-        for y in (area.y0 & !3..area.y1).step_by(4) {
-            for x in (area.x0 & !3..area.x1).step_by(4) {
-                let Some(mask) = coverage.stamp(s, x, y) else { break };
-                if mask == 0 {
-                    continue;
+        for y in coverage.rows() {
+            for first in coverage.groups() {
+                for (x, full) in coverage.group(s, first, y).stamps(first) {
+                    let mask = if full { FULL } else { coverage.stamp(s, x, y) };
+                    if mask == 0 {
+                        continue;
+                    }
+                    counters.pixels_in += u64::from(mask.count_ones());
+                    let at = stamp_index(x - rect.x0, y - rect.y0, bits);
+                    let place = Place { at, x: x as i32, y: y as i32 };
+                    painter.stamp(s, place, mask, &mut pixels, counters);
                 }
-                counters.pixels_in += u64::from(mask.count_ones());
-                let at = stamp_index(x - rect.x0, y - rect.y0, bits);
-                let place = Place { at, x: x as i32, y: y as i32 };
-                painter.stamp(s, place, mask, &mut pixels, counters);
             }
         }
     }

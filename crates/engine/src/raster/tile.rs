@@ -9,10 +9,13 @@ use crate::bins::{Chunk, Entry, Grid};
 use crate::device::arena::{Arena, BatchState, Clear, Pixel, Run};
 use crate::kernel::block::{Block, SLOTS, STAMP, Slot};
 use crate::kernel::{ColorTile, Pass, Pipeline, StageList, Tile, run, stage_list};
-use crate::setup::{Shape, Triangle};
+use crate::setup::{Shape, Triangle, Triangles};
 use crate::state::{Dither, Rect};
 use crate::stats::Counters;
 use crate::target::{PixelFormat, Plane, TileCell, pack, stamp_index};
+
+/// How many entries ahead triangles are fetched: a tile's lie far apart.
+const AHEAD: usize = 4;
 
 /// What one worker keeps while it draws tiles.
 pub(crate) struct TilePainter<'a, S: Simd> {
@@ -22,9 +25,22 @@ pub(crate) struct TilePainter<'a, S: Simd> {
     format: PixelFormat,
     pub counters: Counters,
     block: Box<Block>,
+    coverage: TileCoverage,
     list: StageList<S>,
-    /// The pipeline that `list` belongs to.
-    current: Option<(u32, bool)>,
+    /// The state that `list` belongs to.
+    current: Option<Current<'a>>,
+    /// Slots of the block that other triangles than the current one hold.
+    foreign: usize,
+}
+
+/// A draw state in use.
+#[derive(Clone, Copy)]
+struct Current<'a> {
+    state: u32,
+    /// Its stages for ready-made fragments.
+    pixels: bool,
+    pipeline: &'a Pipeline,
+    clip: &'a Rect,
 }
 
 /// One tile of the target while it is drawn.
@@ -66,8 +82,10 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             format,
             counters: Counters::default(),
             block: Box::new(Block::new()),
+            coverage: TileCoverage::NONE,
             list: StageList::new(),
             current: None,
+            foreign: 0,
         }
     }
 
@@ -83,7 +101,12 @@ impl<'a, S: Simd> TilePainter<'a, S> {
         let rect = self.grid.tile(index);
         let mut target = Target { rect, color, aux };
         for chunk in chunks {
-            for entry in chunk.tile(index) {
+            self.block.forget_steps();
+            let entries = chunk.tile(index);
+            for (i, entry) in entries.iter().enumerate() {
+                if let Some(Entry::Triangle(next)) = entries.get(i + AHEAD) {
+                    chunk.triangles.prefetch(*next);
+                }
                 match *entry {
                     Entry::Triangle(i) => self.triangle(chunk, i, &mut target),
                     Entry::Shape(i) => {
@@ -108,77 +131,145 @@ impl<'a, S: Simd> TilePainter<'a, S> {
         &self.arena.states[state as usize]
     }
 
-    /// Makes `list` the stages of a state; what is pending must be finished.
-    fn select(&mut self, state: u32, pixels: bool) -> &'a Pipeline {
+    /// Makes `pipeline` and `list` those of a state; what is pending must be
+    /// finished.
+    fn select(&mut self, state: u32, pixels: bool) {
         let batch = self.batch(state);
         let pipeline = match (&batch.pixel_pipeline, pixels) {
             (Some(pipeline), true) => pipeline,
             _ => &batch.pipeline,
         };
-        if self.current != Some((state, pixels)) {
-            stage_list(&pipeline.stages, &mut self.list);
-            self.current = Some((state, pixels));
-        }
-        pipeline
+        stage_list(&pipeline.stages, &mut self.list);
+        self.block.forget_steps();
+        self.current = Some(Current { state, pixels, pipeline, clip: &batch.clip });
     }
 
     /// Draws the fragments gathered so far.
     #[inline(always)]
-    fn finish(&mut self, triangles: &[Triangle], target: &mut Target<'_>) {
+    fn finish(&mut self, triangles: &Triangles, target: &mut Target<'_>) {
+        let Some(current) = &self.current else { return };
         if self.block.count == 0 {
             return;
         }
-        let Some((state, pixels)) = self.current else { return };
-        let pipeline = self.select(state, pixels);
-        let pass = Pass { pipeline, triangles };
+        let pass = Pass { pipeline: current.pipeline, triangles };
         let mut tile = target.tile(self.format, &mut self.counters);
         run(self.s, &self.list, &mut self.block, &pass, &mut tile);
+        self.foreign = 0;
     }
 
     /// Adds a stamp's fragments to the block, drawing first what is in the
     /// way: a full block, or other fragments of the same stamp.
     #[inline(always)]
-    fn push(&mut self, slot: Slot, mask: u32, triangles: &[Triangle], target: &mut Target<'_>) {
-        let taken = |block: &Block| block.slots[..block.count].iter().any(|s| s.at == slot.at);
-        if self.block.count == SLOTS || taken(&self.block) {
+    fn push(&mut self, slot: Slot, mask: u32, triangles: &Triangles, target: &mut Target<'_>) {
+        let count = self.block.count;
+        // A triangle has a stamp once, so only other triangles can hold it.
+        let mut held = false;
+        for other in &self.block.slots[..self.foreign.min(SLOTS)] {
+            held |= other.at == slot.at;
+        }
+        if held || count == SLOTS {
             self.finish(triangles, target);
         }
         let block = &mut *self.block;
-        block.slots[block.count] = slot;
-        block.live |= u64::from(mask) << (block.count * STAMP);
-        block.count += 1;
+        let count = block.count & (SLOTS - 1);
+        block.slots[count] = slot;
+        block.live |= u64::from(mask) << (count * STAMP);
+        block.count = count + 1;
     }
 
     #[inline(always)]
     fn triangle(&mut self, chunk: &Chunk, index: u32, target: &mut Target<'_>) {
-        let triangle = &chunk.triangles[index as usize];
+        let triangle = &chunk.triangles.list[index as usize];
         let s = self.s;
-        let Some(coverage) = TileCoverage::new(s, triangle, &target.rect) else { return };
-        if self.current != Some((triangle.state, false)) {
-            self.finish(&chunk.triangles, target);
+        if !self.coverage.enter(s, triangle, &target.rect) {
+            return;
         }
-        let pipeline = self.select(triangle.state, false);
-        let clip = &self.batch(triangle.state).clip;
-        if self.is_hidden(pipeline, triangle, &coverage, clip, target) {
+        let current = match self.current {
+            Some(current) if current.state == triangle.state && !current.pixels => current,
+            _ => {
+                self.finish(&chunk.triangles, target);
+                self.select(triangle.state, false);
+                let Some(current) = self.current else { return };
+                current
+            }
+        };
+        let triangles = &chunk.triangles;
+        if self.is_hidden(&current, triangles, triangle, target) {
+            return;
+        }
+        if self.replaces_tile(&current, triangles, target) {
             return;
         }
         target.materialize();
-        let area = coverage.area;
-        for y in (area.y0 & !3..area.y1).step_by(4) {
-            for x in (area.x0 & !3..area.x1).step_by(4) {
-                let Some(mask) = coverage.stamp(s, x, y) else { break };
-                if mask == 0 {
-                    continue;
+        let clip = (!current.clip.contains(&self.coverage.area)).then_some(current.clip);
+        self.foreign = self.block.count;
+        if self.coverage.is_small() {
+            let Rect { x0, x1, .. } = self.coverage.area;
+            for y in self.coverage.rows() {
+                for x in (x0 & !3..x1).step_by(4) {
+                    let mask = self.coverage.stamp(s, x, y);
+                    self.stamp(chunk, index, (x, y), mask, clip, target);
                 }
-                self.counters.pixels_in += u64::from(mask.count_ones());
-                let mask = mask & rect_mask(clip, x, y);
-                if mask != 0 {
-                    let at = stamp_index(x - target.rect.x0, y - target.rect.y0, self.grid.bits);
-                    let slot = Slot { triangle: index, at: at as u32, x: x as i32, y: y as i32 };
-                    self.push(slot, mask, &chunk.triangles, target);
+            }
+            return;
+        }
+        for y in self.coverage.rows() {
+            for first in self.coverage.groups() {
+                for (x, full) in self.coverage.group(s, first, y).stamps(first) {
+                    let mask = if full { FULL } else { self.coverage.stamp(s, x, y) };
+                    self.stamp(chunk, index, (x, y), mask, clip, target);
                 }
             }
         }
+    }
+
+    /// Draws a triangle of one colour over the whole tile as a pending clear,
+    /// if that is what it is.
+    #[inline(always)]
+    fn replaces_tile(
+        &mut self,
+        current: &Current<'_>,
+        triangles: &Triangles,
+        target: &mut Target<'_>,
+    ) -> bool {
+        let Some(stamp) = current.pipeline.flat else { return false };
+        let visible = target.rect.intersect(&self.grid.bounds);
+        let area = &self.coverage.area;
+        let whole = self.coverage.is_full()
+            && area.contains(&visible)
+            && current.clip.contains(&visible)
+            && current.pipeline.replaces_tile();
+        if whole {
+            self.finish(triangles, target);
+            self.counters.pixels_in += visible.area();
+            self.counters.pixels_out += visible.area();
+            target.color.clear(stamp.map(i32::from));
+        }
+        whole
+    }
+
+    /// Counts and adds the covered fragments of the stamp at a screen position.
+    #[inline(always)]
+    fn stamp(
+        &mut self,
+        chunk: &Chunk,
+        triangle: u32,
+        (x, y): (u32, u32),
+        mut mask: u32,
+        clip: Option<&Rect>,
+        target: &mut Target<'_>,
+    ) {
+        self.counters.pixels_in += u64::from(mask.count_ones());
+        if let Some(clip) = clip {
+            mask &= rect_mask(clip, x, y);
+        }
+        if mask == 0 {
+            return;
+        }
+        let (dx, dy) = (x - target.rect.x0, y - target.rect.y0);
+        let at = stamp_index(dx, dy, self.grid.bits) as u32;
+        let slot = Slot { triangle, at, x: x as i32, y: y as i32 };
+        self.push(slot, mask, &chunk.triangles, target);
     }
 
     /// Whether depth bounds hide the triangle in this tile; then its fragments
@@ -186,22 +277,23 @@ impl<'a, S: Simd> TilePainter<'a, S> {
     #[inline(always)]
     fn is_hidden(
         &mut self,
-        pipeline: &Pipeline,
+        current: &Current<'_>,
+        triangles: &Triangles,
         triangle: &Triangle,
-        coverage: &TileCoverage,
-        clip: &Rect,
         target: &mut Target<'_>,
     ) -> bool {
+        let coverage = &self.coverage;
+        let (pipeline, clip) = (current.pipeline, current.clip);
         let Some(aux) = &mut target.aux else { return false };
         if !pipeline.needs.depth && !pipeline.writes_aux() {
             return false;
         }
-        let range = depth_range(pipeline, triangle, &coverage.area);
+        let range = depth_range(pipeline, triangles, triangle, &coverage.area);
         if let Some(range) = range
             && pipeline.state.stipple.is_none()
             && is_hidden(pipeline, range, aux)
         {
-            self.count_hidden(coverage, clip);
+            self.count_hidden(clip);
             return true;
         }
         let visible = target.rect.intersect(&self.grid.bounds);
@@ -216,19 +308,22 @@ impl<'a, S: Simd> TilePainter<'a, S> {
 
     /// Counts the fragments of a hidden triangle.
     #[inline(always)]
-    fn count_hidden(&mut self, coverage: &TileCoverage, clip: &Rect) {
+    fn count_hidden(&mut self, clip: &Rect) {
+        let coverage = &self.coverage;
         let area = coverage.area;
         if coverage.is_full() {
             self.counters.pixels_in += area.area();
             self.counters.depth_fail += area.intersect(clip).area();
             return;
         }
-        for y in (area.y0 & !3..area.y1).step_by(4) {
-            for x in (area.x0 & !3..area.x1).step_by(4) {
-                let Some(mask) = coverage.stamp(self.s, x, y) else { break };
-                let inside = mask & rect_mask(clip, x, y);
-                self.counters.pixels_in += u64::from(mask.count_ones());
-                self.counters.depth_fail += u64::from(inside.count_ones());
+        for y in coverage.rows() {
+            for first in coverage.groups() {
+                for (x, _) in coverage.group(self.s, first, y).stamps(first) {
+                    let mask = coverage.stamp(self.s, x, y);
+                    let inside = mask & rect_mask(clip, x, y);
+                    self.counters.pixels_in += u64::from(mask.count_ones());
+                    self.counters.depth_fail += u64::from(inside.count_ones());
+                }
             }
         }
     }
@@ -265,7 +360,9 @@ impl<'a, S: Simd> TilePainter<'a, S> {
     /// Draws the part of a run of ready-made fragments inside the tile.
     #[inline(always)]
     fn pixels(&mut self, run: &Run, target: &mut Target<'_>) {
-        self.select(run.state, true);
+        if !self.current.is_some_and(|now| now.state == run.state && now.pixels) {
+            self.select(run.state, true);
+        }
         target.materialize();
         let clip = &self.batch(run.state).clip;
         let from = run.x.max(target.rect.x0);
@@ -275,6 +372,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             aux.include(0, 0xffff);
         }
         let y = run.y & !3;
+        let none = Triangles::default();
         for x in (from & !3..to).step_by(4) {
             let row = (run.y & 3) * 4;
             let mut mask = 0;
@@ -289,8 +387,8 @@ impl<'a, S: Simd> TilePainter<'a, S> {
                 let at = stamp_index(x - target.rect.x0, y - target.rect.y0, self.grid.bits);
                 let slot = Slot { triangle: 0, at: at as u32, x: x as i32, y: y as i32 };
                 // One stamp a block: the fragments are already in its lanes.
-                self.push(slot, mask, &[], target);
-                self.finish(&[], target);
+                self.push(slot, mask, &none, target);
+                self.finish(&none, target);
             }
         }
     }

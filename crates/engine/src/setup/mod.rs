@@ -1,14 +1,17 @@
 //! Triangle set-up: from vertices to the registers of a rasterizer chip.
 
+mod launch;
 mod palette;
 mod planes;
 mod registers;
 mod sst1;
 mod vertex;
 
+pub(crate) use launch::{Launch, Z};
 pub use palette::{PALETTE_COORDINATE, PalettePrimitive, PaletteVertex};
-pub(crate) use palette::{Shape, Texels, prepare_palette};
-pub(crate) use planes::{Edge, Plane32, Plane64, Screen, Triangle, prepare};
+pub(crate) use palette::{Plane32, Shape, Texels, prepare_palette};
+pub(crate) use planes::{Edge, Narrow, Plane64, Screen, Triangle, Triangles, prepare};
 pub use registers::{Param, Registers, WideParam};
 pub use sst1::{Cull, Outcome, triangle};
+pub(crate) use sst1::{Fate, set_up};
 pub use vertex::{TmuVertex, Vertex};

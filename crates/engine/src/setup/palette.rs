@@ -9,7 +9,7 @@
 //!
 //! Source: QK, triangles; `docs/sources.md`, Quark 3D.
 
-use super::planes::{Edge, Plane32, Plane64};
+use super::planes::{Edge, Plane64};
 use crate::state::Rect;
 
 /// Greatest magnitude of a coordinate, in pixels; what reaches further is not
@@ -20,6 +20,21 @@ const FRACTION: u32 = 16;
 /// Added to depth, so that what truncation of the gradients takes never leads
 /// out of the 16 bits.
 const HALF: i64 = 1 << (FRACTION - 1);
+
+/// A 32-bit attribute: its value at screen pixel (x, y) is `c + x * dx +
+/// y * dy`, wrapping.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Plane32 {
+    pub c: i32,
+    pub dx: i32,
+    pub dy: i32,
+}
+
+impl Plane32 {
+    pub fn at(&self, x: i32, y: i32) -> i32 {
+        self.c.wrapping_add(self.dx.wrapping_mul(x)).wrapping_add(self.dy.wrapping_mul(y))
+    }
+}
 
 /// A corner of a primitive of the Quark profile.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! From registers to what the tiles iterate: edges and attribute planes in
 //! screen coordinates.
 
-use super::{Param, Registers, WideParam};
+use super::launch::{GROUP, Launch, NARROW, Params, wide_lane};
 use crate::fixed::COORD_FRACTION;
 use crate::kernel::texture::lod_base;
 use crate::state::{MAX_TMUS, Origin, Rect};
@@ -41,22 +41,23 @@ impl Edge {
     }
 }
 
-/// A 32-bit attribute: its value at screen pixel (x, y) is `c + x * dx +
-/// y * dy`, wrapping.
+/// The 32-bit attributes: red, green, blue, alpha (12.12 in the top 24 bits)
+/// and z (20.12). The value at screen pixel (x, y) is `c + x * dx + y * dy`,
+/// wrapping.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Plane32 {
-    pub c: i32,
-    pub dx: i32,
-    pub dy: i32,
+pub(crate) struct Narrow {
+    pub c: [i32; NARROW],
+    pub dx: [i32; NARROW],
+    pub dy: [i32; NARROW],
 }
 
-impl Plane32 {
-    pub fn at(&self, x: i32, y: i32) -> i32 {
-        self.c.wrapping_add(self.dx.wrapping_mul(x)).wrapping_add(self.dy.wrapping_mul(y))
-    }
-
-    fn shl(self, count: u32) -> Plane32 {
-        Plane32 { c: self.c << count, dx: self.dx << count, dy: self.dy << count }
+impl Narrow {
+    /// One attribute at a pixel.
+    #[inline(always)]
+    pub fn value(&self, lane: usize, x: i32, y: i32) -> i32 {
+        self.c[lane]
+            .wrapping_add(self.dx[lane].wrapping_mul(x))
+            .wrapping_add(self.dy[lane].wrapping_mul(y))
     }
 }
 
@@ -74,45 +75,79 @@ impl Plane64 {
             .wrapping_add(self.dx.wrapping_mul(i64::from(x)))
             .wrapping_add(self.dy.wrapping_mul(i64::from(y)))
     }
+}
 
-    /// The same value everywhere.
-    pub fn constant(value: i64) -> Plane64 {
-        Plane64 { c: value, dx: 0, dy: 0 }
-    }
+/// 64-bit attributes of a group: see [`Launch`].
+#[derive(Clone, Copy, Debug)]
+struct WideGroup {
+    c: [i64; GROUP],
+    dx: [i64; GROUP],
+    dy: [i64; GROUP],
+}
 
-    /// Whether all values over `area` are below `limit` in magnitude, wrapping
-    /// excluded.
-    fn is_below(&self, start: f64, [x, y]: [f64; 2], area: &Rect, limit: f64) -> bool {
-        let half = |a: u32, b: u32| (f64::from(b) - f64::from(a)) * 0.5;
-        let (hx, hy) = (half(area.x0, area.x1), half(area.y0, area.y1));
-        let (mx, my) = (f64::from(area.x0) + hx - x, f64::from(area.y0) + hy - y);
-        let (dx, dy) = (self.dx as f64, self.dy as f64);
-        (start + mx * dx + my * dy).abs() + dx.abs() * hx + dy.abs() * hy < limit
+impl WideGroup {
+    #[inline(always)]
+    fn plane(&self, lane: usize) -> Plane64 {
+        Plane64 { c: self.c[lane], dx: self.dx[lane], dy: self.dy[lane] }
     }
 }
 
 /// A triangle ready for the tiles. Coordinates are screen pixels.
 #[derive(Clone, Debug)]
 pub(crate) struct Triangle {
+    /// Every covered pixel of the surface lies inside; not empty.
+    pub bounds: Rect,
     /// Index of the pipeline in the batch.
     pub state: u32,
     /// Edges in use.
-    pub edge_count: u32,
-    pub edges: [Edge; 3],
-    /// Every covered pixel of the surface lies inside; not empty.
-    pub bounds: Rect,
-    /// Red, green, blue, alpha; 12.12 in the top 24 bits.
-    pub color: [Plane32; 4],
-    /// 20.12.
-    pub z: Plane32,
-    pub w: Plane64,
-    /// s, t, w of each unit.
-    pub tmu: [[Plane64; 3]; MAX_TMUS],
-    /// Level of detail of each unit at w = 1, without bias.
-    pub lod_base: [i32; MAX_TMUS],
+    pub edge_count: u8,
     /// Whether w, and s, t, w of the units in use, are small enough over
     /// `bounds` to be iterated in floats exactly.
     pub exact: bool,
+    /// First of its groups of 64-bit planes in [`Triangles`].
+    wide: u32,
+    /// Level of detail of each unit at w = 1, without bias.
+    pub lod_base: [i32; MAX_TMUS],
+    pub edges: [Edge; 3],
+    /// Colours and z.
+    pub narrow: Narrow,
+}
+
+/// Triangles ready for the tiles, with their 64-bit planes, a group for each
+/// unit in use and at least one.
+#[derive(Debug, Default)]
+pub(crate) struct Triangles {
+    pub list: Vec<Triangle>,
+    wides: Vec<WideGroup>,
+}
+
+impl Triangles {
+    pub fn clear(&mut self) {
+        self.list.clear();
+        self.wides.clear();
+    }
+
+    /// w of the pixel pipeline.
+    #[inline(always)]
+    pub fn w(&self, triangle: &Triangle) -> Plane64 {
+        self.wides[triangle.wide as usize].plane(0)
+    }
+
+    /// s, t and w of a unit in use.
+    #[inline(always)]
+    pub fn unit(&self, triangle: &Triangle, unit: usize) -> [Plane64; 3] {
+        let group = &self.wides[triangle.wide as usize + unit];
+        let first = wide_lane(unit, 0).1;
+        [group.plane(first), group.plane(first + 1), group.plane(first + 2)]
+    }
+
+    /// Tells the processor that a triangle is needed soon.
+    #[inline(always)]
+    pub fn prefetch(&self, index: u32) {
+        if let Some(triangle) = self.list.get(index as usize) {
+            fillrate_simd::prefetch(triangle);
+        }
+    }
 }
 
 /// Where a triangle is drawn.
@@ -127,51 +162,58 @@ pub(crate) struct Screen {
 /// multiplied by 256 and must stay below 2^53, w keeps to the 48 bits it has.
 const COORDINATE_LIMIT: f64 = (1u64 << 44) as f64;
 const W_LIMIT: f64 = (1u64 << 46) as f64;
+/// The limits of a group's lanes. The lane without meaning has none.
+const FIRST_LIMITS: [f64; GROUP] = [W_LIMIT, COORDINATE_LIMIT, COORDINATE_LIMIT, W_LIMIT];
+const OTHER_LIMITS: [f64; GROUP] = [COORDINATE_LIMIT, COORDINATE_LIMIT, W_LIMIT, f64::INFINITY];
 
-/// Converts a launched triangle; `None` where it covers no pixel of the
-/// screen. `units` is how many texture units iterate.
-pub(crate) fn prepare(
-    registers: &Registers,
+/// Converts a launched triangle and appends it to `out`; `None` where it covers
+/// no pixel of the screen. `units` is how many texture units iterate.
+#[inline(always)]
+pub(crate) fn prepare<'a>(
+    launch: &Launch,
     screen: &Screen,
     state: u32,
     units: usize,
-) -> Option<Triangle> {
-    let bounds = bounds(registers, screen)?;
-    let planes = Corrected::new(registers, screen);
+    out: &'a mut Triangles,
+) -> Option<&'a Triangle> {
+    let bounds = bounds(launch, screen)?;
+    let planes = Corrected::new(launch, screen, &bounds);
+    let wide = out.wides.len() as u32;
+    let mut exact = true;
+    let mut lods = [0; MAX_TMUS];
+    for (unit, params) in launch.wide.iter().enumerate().take(units.max(1)) {
+        let mut limits = if unit == 0 { FIRST_LIMITS } else { OTHER_LIMITS };
+        if units == 0 {
+            limits[1..].fill(f64::INFINITY);
+        }
+        let (group, below) = planes.wide(params, &limits);
+        exact &= below;
+        if unit < units {
+            let first = wide_lane(unit, 0).1;
+            lods[unit] = lod_base(&group.plane(first), &group.plane(first + 1));
+        }
+        out.wides.push(group);
+    }
     let mut triangle = Triangle {
+        bounds,
         state,
         edge_count: 0,
+        exact,
+        wide,
+        lod_base: lods,
         edges: [Edge::default(); 3],
-        bounds,
-        color: registers.color.map(|param| planes.plane32(&param).shl(8)),
-        z: planes.plane32(&registers.z),
-        w: Plane64::default(),
-        tmu: [[Plane64::default(); 3]; MAX_TMUS],
-        lod_base: [0; MAX_TMUS],
-        exact: true,
+        narrow: planes.narrow(&launch.narrow),
     };
-    let area = stamp_aligned(&bounds);
-    (triangle.w, triangle.exact) = planes.plane64(&registers.w, &area, W_LIMIT);
-    for (out, unit) in triangle.tmu.iter_mut().zip(&registers.tmu).take(units) {
-        for (i, (out, param)) in out.iter_mut().zip(unit).enumerate() {
-            let limit = if i == 2 { W_LIMIT } else { COORDINATE_LIMIT };
-            let exact;
-            (*out, exact) = planes.plane64(param, &area, limit);
-            triangle.exact &= exact;
-        }
-    }
-    for unit in 0..units {
-        let [s, t, _] = &triangle.tmu[unit];
-        triangle.lod_base[unit] = lod_base(s, t);
-    }
-    add_edges(&mut triangle, registers, screen);
-    Some(triangle)
+    add_edges(&mut triangle, launch, screen);
+    out.list.push(triangle);
+    out.list.last()
 }
 
-fn add_edges(triangle: &mut Triangle, registers: &Registers, screen: &Screen) {
-    let [a, b, c] = core::array::from_fn(|i| [registers.x[i], registers.y[i]]);
+#[inline(always)]
+fn add_edges(triangle: &mut Triangle, launch: &Launch, screen: &Screen) {
+    let [a, b, c] = core::array::from_fn(|i| [launch.x[i], launch.y[i]]);
     // B left of A-C: A-C is the right edge, A-B and B-C are left ones.
-    let minor_is_left = registers.negative;
+    let minor_is_left = launch.negative;
     for (from, to, left) in [(a, c, !minor_is_left), (a, b, minor_is_left), (b, c, minor_is_left)] {
         if from[1] < to[1] {
             let edge = Edge::new(from, to, left);
@@ -184,11 +226,11 @@ fn add_edges(triangle: &mut Triangle, registers: &Registers, screen: &Screen) {
 }
 
 /// The part of the screen that can be covered, or `None`.
-fn bounds(registers: &Registers, screen: &Screen) -> Option<Rect> {
-    let [ay, _, cy] = registers.y;
+fn bounds(launch: &Launch, screen: &Screen) -> Option<Rect> {
+    let [ay, _, cy] = launch.y;
     let rows = [(ay + 7) >> COORD_FRACTION, (cy + 7) >> COORD_FRACTION];
-    let left = registers.x.into_iter().min().unwrap_or(0);
-    let right = registers.x.into_iter().max().unwrap_or(0);
+    let left = launch.x.into_iter().min().unwrap_or(0);
+    let right = launch.x.into_iter().max().unwrap_or(0);
     let columns = [(left + 7) >> COORD_FRACTION, (right + 7) >> COORD_FRACTION];
     let limit =
         |[from, to]: [i32; 2], size: u32| [from.clamp(0, size as i32), to.clamp(0, size as i32)];
@@ -201,14 +243,8 @@ fn bounds(registers: &Registers, screen: &Screen) -> Option<Rect> {
     (x0 < x1 && y0 < y1).then(|| Rect::new(x0 as u32, y0 as u32, x1 as u32, y1 as u32))
 }
 
-/// The smallest rectangle of whole stamps around `area`.
-fn stamp_aligned(area: &Rect) -> Rect {
-    let down = |v: u32| v & !(STAMP - 1);
-    let up = |v: u32| down(v + STAMP - 1);
-    Rect::new(down(area.x0), down(area.y0), up(area.x1), up(area.y1))
-}
-
-/// The sub-pixel correction and the reference pixel of a launch.
+/// The sub-pixel correction, the reference pixel of a launch, and the area
+/// where values are needed.
 struct Corrected {
     /// Sixteenths from the first vertex to its pixel's centre.
     dx: i32,
@@ -216,56 +252,96 @@ struct Corrected {
     /// The first vertex's pixel, on the screen.
     x: i32,
     y: i32,
-    flipped: bool,
+    /// -1 where rows are counted from the other end, else 1.
+    row_sign: i32,
+    /// From that pixel to the middle of the area, and half its sides with a
+    /// pixel to spare.
+    middle: [f64; 2],
+    half: [f64; 2],
 }
 
 impl Corrected {
-    fn new(registers: &Registers, screen: &Screen) -> Corrected {
-        let (x, y) = (registers.x[0], registers.y[0]);
-        let row = y >> COORD_FRACTION;
+    #[inline(always)]
+    fn new(launch: &Launch, screen: &Screen, bounds: &Rect) -> Corrected {
+        let (vx, vy) = (launch.x[0], launch.y[0]);
+        let row = vy >> COORD_FRACTION;
         let flipped = screen.origin == Origin::LowerLeft;
+        let x = vx >> COORD_FRACTION;
+        let y = if flipped { screen.height as i32 - 1 - row } else { row };
+        // Whole stamps are iterated.
+        let down = |v: u32| v & !(STAMP - 1);
+        let [x0, y0] = [f64::from(down(bounds.x0)), f64::from(down(bounds.y0))];
+        let [x1, y1] = [bounds.x1, bounds.y1].map(|v| f64::from(down(v + STAMP - 1)));
+        let half = [(x1 - x0) * 0.5, (y1 - y0) * 0.5];
+        let middle = [x0 + half[0] - f64::from(x), y0 + half[1] - f64::from(y)];
         Corrected {
-            dx: 8 - (x & 15),
-            dy: 8 - (y & 15),
-            x: x >> COORD_FRACTION,
-            y: if flipped { screen.height as i32 - 1 - row } else { row },
-            flipped,
+            dx: 8 - (vx & 15),
+            dy: 8 - (vy & 15),
+            x,
+            y,
+            row_sign: if flipped { -1 } else { 1 },
+            middle,
+            half: half.map(|half| half + 1.0),
         }
     }
 
-    fn plane32(&self, param: &Param) -> Plane32 {
-        let moved = param.dx.wrapping_mul(self.dx).wrapping_add(param.dy.wrapping_mul(self.dy))
-            >> COORD_FRACTION;
-        let dy = if self.flipped { param.dy.wrapping_neg() } else { param.dy };
-        let c = param
-            .start
-            .wrapping_add(moved)
-            .wrapping_sub(param.dx.wrapping_mul(self.x))
-            .wrapping_sub(dy.wrapping_mul(self.y));
-        Plane32 { c, dx: param.dx, dy }
+    #[inline(always)]
+    fn narrow(&self, params: &Params<[i32; NARROW]>) -> Narrow {
+        // Colours go to the top 24 bits.
+        const SHIFTS: [u32; NARROW] = [8, 8, 8, 8, 0, 0, 0, 0];
+        let mut out = Narrow::default();
+        #[allow(clippy::needless_range_loop, reason = "one lane of six arrays")]
+        for lane in 0..NARROW {
+            let (dx, dy) = (params.dx[lane], params.dy[lane]);
+            let moved =
+                dx.wrapping_mul(self.dx).wrapping_add(dy.wrapping_mul(self.dy)) >> COORD_FRACTION;
+            let dy = dy.wrapping_mul(self.row_sign);
+            let c = params.start[lane]
+                .wrapping_add(moved)
+                .wrapping_sub(dx.wrapping_mul(self.x))
+                .wrapping_sub(dy.wrapping_mul(self.y));
+            out.c[lane] = c << SHIFTS[lane];
+            out.dx[lane] = dx << SHIFTS[lane];
+            out.dy[lane] = dy << SHIFTS[lane];
+        }
+        out
     }
 
-    /// The plane, and whether it stays below `limit` over `area`.
-    fn plane64(&self, param: &WideParam, area: &Rect, limit: f64) -> (Plane64, bool) {
-        let moved = param
-            .dx
-            .wrapping_mul(i64::from(self.dx))
-            .wrapping_add(param.dy.wrapping_mul(i64::from(self.dy)))
-            >> COORD_FRACTION;
-        let dy = if self.flipped { param.dy.wrapping_neg() } else { param.dy };
-        let start = param.start.wrapping_add(moved);
-        let c = start
-            .wrapping_sub(param.dx.wrapping_mul(i64::from(self.x)))
-            .wrapping_sub(dy.wrapping_mul(i64::from(self.y)));
-        let plane = Plane64 { c, dx: param.dx, dy };
-        let at = [f64::from(self.x), f64::from(self.y)];
-        (plane, plane.is_below(start as f64, at, area, limit))
+    /// The planes, and whether each stays below its limit over the area.
+    #[inline(always)]
+    fn wide(&self, params: &Params<[i64; GROUP]>, limits: &[f64; GROUP]) -> (WideGroup, bool) {
+        let mut out = WideGroup { c: [0; GROUP], dx: [0; GROUP], dy: [0; GROUP] };
+        let mut below = true;
+        #[allow(clippy::needless_range_loop, reason = "one lane of seven arrays")]
+        for lane in 0..GROUP {
+            let (start, dx, dy) = (params.start[lane], params.dx[lane], params.dy[lane]);
+            let moved = times(dx, self.dx).wrapping_add(times(dy, self.dy)) >> COORD_FRACTION;
+            let dy = times(dy, self.row_sign);
+            out.c[lane] = start
+                .wrapping_add(moved)
+                .wrapping_sub(times(dx, self.x))
+                .wrapping_sub(times(dy, self.y));
+            out.dx[lane] = dx;
+            out.dy[lane] = dy;
+            // The pixel to spare makes up for the sub-pixel correction.
+            let (dx, dy) = (dx as f64, dy as f64);
+            let middle = start as f64 + self.middle[0] * dx + self.middle[1] * dy;
+            let reach = dx.abs() * self.half[0] + dy.abs() * self.half[1];
+            below &= middle.abs() + reach < limits[lane];
+        }
+        (out, below)
     }
+}
+
+#[inline(always)]
+fn times(value: i64, factor: i32) -> i64 {
+    value.wrapping_mul(i64::from(factor))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::setup::{Param, Registers};
 
     const SCREEN: Screen = Screen { width: 64, height: 64, origin: Origin::UpperLeft };
 
@@ -280,6 +356,11 @@ mod tests {
         }
     }
 
+    fn prepared(screen: &Screen) -> Triangle {
+        let mut triangles = Triangles::default();
+        prepare(&Launch::from(&right_triangle()), screen, 0, 0, &mut triangles).unwrap().clone()
+    }
+
     fn covered(triangle: &Triangle) -> u32 {
         let inside = |x: u32, y: u32| {
             triangle.edges[..triangle.edge_count as usize]
@@ -292,22 +373,22 @@ mod tests {
 
     #[test]
     fn top_left_rule() {
-        let triangle = prepare(&right_triangle(), &SCREEN, 0, 0).unwrap();
+        let triangle = prepared(&SCREEN);
         assert_eq!(triangle.bounds, Rect::new(8, 8, 16, 16));
         assert_eq!(covered(&triangle), 8 + 7 + 6 + 5 + 4 + 3 + 2 + 1);
     }
 
     #[test]
     fn planes_pass_through_the_first_vertex() {
-        let triangle = prepare(&right_triangle(), &SCREEN, 0, 0).unwrap();
-        assert_eq!(triangle.color[0].at(8, 8), 7 << 20);
-        assert_eq!(triangle.color[0].at(9, 30), (7 + 16) << 20);
+        let triangle = prepared(&SCREEN);
+        assert_eq!(triangle.narrow.value(0, 8, 8), 7 << 20);
+        assert_eq!(triangle.narrow.value(0, 9, 30), (7 + 16) << 20);
     }
 
     #[test]
     fn lower_left_mirrors_rows() {
         let screen = Screen { origin: Origin::LowerLeft, ..SCREEN };
-        let triangle = prepare(&right_triangle(), &screen, 0, 0).unwrap();
+        let triangle = prepared(&screen);
         assert_eq!(triangle.bounds, Rect::new(8, 48, 16, 56));
         assert_eq!(covered(&triangle), 36);
         assert!(triangle.edges[0].at(8, 55) >= 0 && triangle.edges[0].at(8, 54) < 0);

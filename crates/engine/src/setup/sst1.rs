@@ -1,6 +1,7 @@
 //! Float triangle set-up as Glide does it for the SST-1.
 
-use super::{Param, Registers, Vertex, WideParam};
+use super::launch::{GROUP, Launch, NARROW, Params};
+use super::{Registers, Vertex};
 use crate::fixed;
 use crate::state::MAX_TMUS;
 
@@ -38,46 +39,56 @@ struct Deltas {
 }
 
 impl Deltas {
-    /// The steps per column and per row of a parameter.
-    fn gradient(&self, [a, b, c]: [f32; 3]) -> (f32, f32) {
-        let (d_ab, d_bc) = (a - b, b - c);
-        (d_ab * self.dy_bc - d_bc * self.dy_ab, d_bc * self.dx_ab - d_ab * self.dx_bc)
-    }
-
-    fn param(&self, values: [f32; 3], convert: fn(f32) -> i32) -> Param {
-        let (dx, dy) = self.gradient(values);
-        Param { start: convert(values[0]), dx: convert(dx), dy: convert(dy) }
-    }
-
-    fn wide(&self, values: [f32; 3]) -> WideParam {
-        let (dx, dy) = self.gradient(values);
-        WideParam { start: fixed::wide(values[0]), dx: fixed::wide(dx), dy: fixed::wide(dy) }
+    /// The steps per column and per row of parameters.
+    #[inline(always)]
+    fn gradients<const N: usize>(&self, [a, b, c]: [[f32; N]; 3]) -> [[f32; N]; 2] {
+        let (mut dx, mut dy) = ([0.0; N], [0.0; N]);
+        for i in 0..N {
+            let (d_ab, d_bc) = (a[i] - b[i], b[i] - c[i]);
+            dx[i] = d_ab * self.dy_bc - d_bc * self.dy_ab;
+            dy[i] = d_bc * self.dx_ab - d_ab * self.dx_bc;
+        }
+        [dx, dy]
     }
 }
 
 /// A float's bits as an integer that orders like the float, -0 below +0.
+#[inline(always)]
 fn order_key(value: f32) -> i32 {
     let bits = value.to_bits() as i32;
-    if bits < 0 { bits ^ 0x7fff_ffff } else { bits }
+    bits ^ (((bits >> 31) as u32) >> 1) as i32
 }
 
+/// Orders of three vertices and whether they are odd permutations, by the
+/// comparisons a < b, b < c, b > c, a < c as bits 3 to 0. Ties are broken as
+/// the original's comparisons break them.
+static ORDERS: [([u8; 3], bool); 16] = {
+    const BCA: ([u8; 3], bool) = ([1, 2, 0], false);
+    const BAC: ([u8; 3], bool) = ([1, 0, 2], true);
+    const CBA: ([u8; 3], bool) = ([2, 1, 0], true);
+    const ABC: ([u8; 3], bool) = ([0, 1, 2], false);
+    const CAB: ([u8; 3], bool) = ([2, 0, 1], false);
+    const ACB: ([u8; 3], bool) = ([0, 2, 1], true);
+    [CBA, CBA, CBA, CBA, BCA, BAC, BCA, BAC, ABC, ABC, CAB, ACB, ABC, ABC, CAB, ACB]
+};
+
 /// The vertices' indices by rising y, and whether the order is an odd
-/// permutation. Ties are broken as the original's comparisons break them.
+/// permutation.
+#[inline(always)]
 fn sort(y: [f32; 3]) -> ([usize; 3], bool) {
-    let [a, b, c] = y.map(order_key);
-    if a < b {
-        match (b > c, a < c) {
-            (true, true) => ([0, 2, 1], true),
-            (true, false) => ([2, 0, 1], false),
-            (false, _) => ([0, 1, 2], false),
-        }
-    } else {
-        match (b < c, a < c) {
-            (true, true) => ([1, 0, 2], true),
-            (true, false) => ([1, 2, 0], false),
-            (false, _) => ([2, 1, 0], true),
-        }
-    }
+    let [a, b, c] = [order_key(y[0]), order_key(y[1]), order_key(y[2])];
+    let bit = |on: bool, at: u32| usize::from(on) << at;
+    let index = bit(a < b, 3) | bit(b < c, 2) | bit(b > c, 1) | bit(a < c, 0);
+    let ([i, j, k], odd) = ORDERS[index];
+    ([usize::from(i), usize::from(j), usize::from(k)], odd)
+}
+
+/// What became of a triangle, less its registers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Fate {
+    Empty,
+    Culled,
+    Drawn,
 }
 
 /// Sets a triangle up: sorts by y, culls, computes gradients in single
@@ -86,17 +97,28 @@ fn sort(y: [f32; 3]) -> ([usize; 3], bool) {
 ///
 /// Source: G246, triangle set-up; SST1, triangle registers.
 pub fn triangle(vertices: [&Vertex; 3], cull: Cull, units: usize) -> Outcome {
-    let (order, odd) = sort(vertices.map(|v| v.y));
-    let [a, b, c] = order.map(|i| vertices[i]);
+    let mut launch = Launch::default();
+    match set_up(vertices, cull, units, &mut launch) {
+        Fate::Empty => Outcome::Empty,
+        Fate::Culled => Outcome::Culled,
+        Fate::Drawn => Outcome::Drawn(launch.registers(units)),
+    }
+}
+
+/// [`triangle`], into lanes.
+#[inline(always)]
+pub(crate) fn set_up(vertices: [&Vertex; 3], cull: Cull, units: usize, out: &mut Launch) -> Fate {
+    let (order, odd) = sort([vertices[0].y, vertices[1].y, vertices[2].y]);
+    let [a, b, c] = [vertices[order[0]], vertices[order[1]], vertices[order[2]]];
     let (dx_ab, dy_ab) = (a.x - b.x, a.y - b.y);
     let (dx_bc, dy_bc) = (b.x - c.x, b.y - c.y);
     let area = dx_ab * dy_bc - dx_bc * dy_ab;
     if area == 0.0 || !area.is_finite() {
-        return Outcome::Empty;
+        return Fate::Empty;
     }
     let negative = area < 0.0;
     match (cull, negative != odd) {
-        (Cull::Negative, true) | (Cull::Positive, false) => return Outcome::Culled,
+        (Cull::Negative, true) | (Cull::Positive, false) => return Fate::Culled,
         _ => {}
     }
     let inverse = 1.0 / area;
@@ -106,29 +128,48 @@ pub fn triangle(vertices: [&Vertex; 3], cull: Cull, units: usize) -> Outcome {
         dx_bc: dx_bc * inverse,
         dy_bc: dy_bc * inverse,
     };
-    Outcome::Drawn(registers([a, b, c], negative, &deltas, units))
+    out.negative = negative;
+    coordinates([a, b, c], out);
+    let narrow = [narrow_lanes(a), narrow_lanes(b), narrow_lanes(c)];
+    let [dx, dy] = deltas.gradients(narrow);
+    out.narrow = Params {
+        start: fixed::twelve_bits(narrow[0]),
+        dx: fixed::twelve_bits(dx),
+        dy: fixed::twelve_bits(dy),
+    };
+    for (unit, out) in out.wide.iter_mut().enumerate().take(units.clamp(1, MAX_TMUS)) {
+        let wide = [wide_lanes(a, unit), wide_lanes(b, unit), wide_lanes(c, unit)];
+        let [dx, dy] = deltas.gradients(wide);
+        *out = Params {
+            start: fixed::wide_lanes(wide[0]),
+            dx: fixed::wide_lanes(dx),
+            dy: fixed::wide_lanes(dy),
+        };
+    }
+    Fate::Drawn
 }
 
-fn registers(sorted: [&Vertex; 3], negative: bool, deltas: &Deltas, units: usize) -> Registers {
-    let each = |field: fn(&Vertex) -> f32| sorted.map(field);
-    let mut out = Registers {
-        x: sorted.map(|v| fixed::coord(v.x)),
-        y: sorted.map(|v| fixed::coord(v.y)),
-        negative,
-        color: [
-            deltas.param(each(|v| v.r), fixed::color),
-            deltas.param(each(|v| v.g), fixed::color),
-            deltas.param(each(|v| v.b), fixed::color),
-            deltas.param(each(|v| v.a), fixed::color),
-        ],
-        z: deltas.param(each(|v| v.z), fixed::depth),
-        w: deltas.wide(each(|v| v.w)),
-        ..Registers::default()
-    };
-    for unit in 0..units.min(MAX_TMUS) {
-        let field = |pick: fn(&super::TmuVertex) -> f32| sorted.map(|v| pick(&v.tmu[unit]));
-        out.tmu[unit] =
-            [deltas.wide(field(|t| t.s)), deltas.wide(field(|t| t.t)), deltas.wide(field(|t| t.w))];
+#[inline(always)]
+fn coordinates([a, b, c]: [&Vertex; 3], out: &mut Launch) {
+    let [ax, bx, cx, ay, by, cy, ..] = fixed::coordinates([a.x, b.x, c.x, a.y, b.y, c.y, 0.0, 0.0]);
+    out.x = [ax, bx, cx];
+    out.y = [ay, by, cy];
+}
+
+/// Colours and z. The last three lanes mean nothing; they are what follows in
+/// a vertex, so that one load serves.
+#[inline(always)]
+fn narrow_lanes(v: &Vertex) -> [f32; NARROW] {
+    [v.r, v.g, v.b, v.a, v.z, v.w, v.tmu[0].s, v.tmu[0].t]
+}
+
+/// A unit's group of 64-bit parameters; see [`Launch`].
+#[inline(always)]
+fn wide_lanes(v: &Vertex, unit: usize) -> [f32; GROUP] {
+    let [t0, t1, t2] = &v.tmu;
+    match unit {
+        0 => [v.w, t0.s, t0.t, t0.w],
+        1 => [t1.s, t1.t, t1.w, t2.s],
+        _ => [t2.s, t2.t, t2.w, t2.w],
     }
-    out
 }

@@ -4,6 +4,7 @@ use crate::state::MAX_TMUS;
 
 /// Texture coordinates of one vertex for one texture unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
 pub struct TmuVertex {
     /// s/w; s runs over 256 units along the longer side of the texture.
     pub s: f32,
@@ -15,6 +16,7 @@ pub struct TmuVertex {
 
 /// A vertex in screen space.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
 pub struct Vertex {
     /// Column, in pixels.
     pub x: f32,

@@ -42,6 +42,19 @@ pub struct CombineUnit<F> {
     pub invert: bool,
 }
 
+impl<F> CombineUnit<F> {
+    /// Whether the unit only multiplies "other" by the factor.
+    pub(crate) fn scales(&self) -> bool {
+        !self.zero_other && !self.subtract_local && self.add == Addend::Zero && !self.invert
+    }
+
+    /// Whether the unit passes "local" on unchanged; any addend will do where
+    /// it is the alpha unit.
+    pub(crate) fn passes_local(&self) -> bool {
+        self.zero_other && !self.subtract_local && self.add != Addend::Zero && !self.invert
+    }
+}
+
 /// Multipliers of the pixel pipeline's units.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Factor {

@@ -1,7 +1,7 @@
 //! Integer lanes.
 
 use super::{EDGES, RANDOM_LANES, Random, compare, padded, pairs, push, push_mask};
-use crate::{IntLanes, Kernel, Simd};
+use crate::{IntLanes, Kernel, MAX_LANES, Simd};
 
 /// Defines one test for each operation on two vectors.
 macro_rules! binary_tests {
@@ -251,4 +251,37 @@ fn dot_bytes_within_its_limits() {
         (dot(b, w) | dot(b >> 16, w >> 16) << 16) as i32
     });
     assert!(found.into_iter().eq(by_hand));
+}
+
+#[derive(Clone, Copy)]
+struct Any<'a>(&'a [i32]);
+
+impl Kernel for Any<'_> {
+    type Output = Vec<i32>;
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> Vec<i32> {
+        let mut found = Vec::new();
+        for at in (0..self.0.len()).step_by(MAX_LANES) {
+            let mut any = false;
+            for j in (0..MAX_LANES).step_by(S::LANES) {
+                any |= simd.load(&self.0[at + j..]).any();
+            }
+            found.push(i32::from(any));
+        }
+        found
+    }
+}
+
+#[test]
+fn any_bit_of_any_lane() {
+    let mut lanes = vec![0; MAX_LANES];
+    for lane in 0..MAX_LANES {
+        for bit in 0..32 {
+            let mut one = vec![0; MAX_LANES];
+            one[lane] = 1 << bit;
+            lanes.extend(one);
+        }
+    }
+    let found = compare("any", Any(&lanes));
+    assert!(found[0] == 0 && found[1..].iter().all(|&any| any == 1));
 }

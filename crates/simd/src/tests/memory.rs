@@ -226,6 +226,12 @@ impl Kernel for Pairs<'_> {
             let (l, h) = simd.load_pairs(self.0, simd.load(&self.1[at..]));
             push(simd, l, &mut low);
             push(simd, h, &mut high);
+            // Once more by indices in memory.
+            let (l, h) = simd.load_pairs_at(self.0, &self.1[at..]);
+            let (mut again_low, mut again_high) = (Vec::new(), Vec::new());
+            push(simd, l, &mut again_low);
+            push(simd, h, &mut again_high);
+            assert!(low.ends_with(&again_low) && high.ends_with(&again_high));
         }
         [low, high].concat()
     }

@@ -158,10 +158,36 @@ impl Simd for Avx2 {
             (I(low), I(high))
         }
     }
+    #[inline(always)]
+    fn load_pairs_at(self, table: &[u64], index: &[i32]) -> (I, I) {
+        let last = crate::last_index(table);
+        let index = &index[..8];
+        // SAFETY: the token proves AVX2. No index is above `last`, so the
+        // entries read lie inside `table`.
+        unsafe {
+            let lanes = _mm256_loadu_si256(index.as_ptr().cast());
+            let last = _mm256_set1_epi32(last as i32);
+            let excess = _mm256_xor_si256(_mm256_max_epu32(lanes, last), last);
+            if _mm256_testz_si256(excess, excess) == 0 {
+                return self.load_pairs(table, I(lanes));
+            }
+            let (low, high) = split_words(
+                four(table, [index[0], index[1], index[2], index[3]]),
+                four(table, [index[4], index[5], index[6], index[7]]),
+            );
+            (I(low), I(high))
+        }
+    }
 }
 
 impl IntLanes for I {
     type M = M;
+
+    #[inline(always)]
+    fn any(self) -> bool {
+        // SAFETY: lanes exist only where AVX2 was detected.
+        unsafe { _mm256_testz_si256(self.0, self.0) == 0 }
+    }
 
     binary! {
         mul _mm256_mullo_epi32

@@ -149,10 +149,39 @@ impl Simd for Avx512 {
             (I(low), I(high))
         }
     }
+    #[inline(always)]
+    fn load_pairs_at(self, table: &[u64], index: &[i32]) -> (I, I) {
+        let last = crate::last_index(table);
+        let index = &index[..16];
+        // SAFETY: the token proves AVX-512. No index is above `last`, so the
+        // entries read lie inside `table`.
+        unsafe {
+            let lanes = _mm512_loadu_si512(index.as_ptr().cast());
+            if _mm512_cmpgt_epu32_mask(lanes, _mm512_set1_epi32(last as i32)) != 0 {
+                return self.load_pairs(table, I(lanes));
+            }
+            let front = _mm512_inserti64x4::<1>(
+                _mm512_castsi256_si512(four(table, [index[0], index[1], index[2], index[3]])),
+                four(table, [index[4], index[5], index[6], index[7]]),
+            );
+            let back = _mm512_inserti64x4::<1>(
+                _mm512_castsi256_si512(four(table, [index[8], index[9], index[10], index[11]])),
+                four(table, [index[12], index[13], index[14], index[15]]),
+            );
+            let (low, high) = split_words(front, back);
+            (I(low), I(high))
+        }
+    }
 }
 
 impl IntLanes for I {
     type M = M;
+
+    #[inline(always)]
+    fn any(self) -> bool {
+        // SAFETY: lanes exist only where AVX-512 was detected.
+        unsafe { _mm512_test_epi32_mask(self.0, self.0) != 0 }
+    }
 
     binary! {
         mul _mm512_mullo_epi32

@@ -160,6 +160,12 @@ impl Simd for Sse41 {
 impl IntLanes for I {
     type M = M;
 
+    #[inline(always)]
+    fn any(self) -> bool {
+        // SAFETY: lanes exist only where SSE4.1 was detected.
+        unsafe { _mm_testz_si128(self.0, self.0) == 0 }
+    }
+
     binary! {
         mul _mm_mullo_epi32
         min _mm_min_epi32

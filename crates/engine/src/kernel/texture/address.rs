@@ -5,9 +5,9 @@ use fillrate_simd::{FloatLanes, IntLanes, Simd};
 use super::UnitPlan;
 use super::lod::{lod_at, smallest_w, smallest_w_below};
 use crate::kernel::Pass;
-use crate::kernel::block::{Block, STAMP, Slot};
-use crate::kernel::depth::iterate_wide;
-use crate::setup::{Plane64, Triangle};
+use crate::kernel::block::{Block, Lanes, STAMP, Slot};
+use crate::kernel::lanes::ramp_wide;
+use crate::setup::Plane64;
 use crate::state::Filter;
 
 /// How one level is addressed, lane by lane.
@@ -24,43 +24,139 @@ struct LevelLanes<S: Simd> {
     fraction: S::I,
 }
 
-/// What is known of a stamp's levels before looking at single fragments.
-struct StampLevels {
-    /// Finest and coarsest level in the stamp.
-    finest: i32,
-    coarsest: i32,
+/// What a triangle's stamps share: the steps within a stamp, and where the
+/// levels of detail change.
+#[derive(Clone, Debug)]
+pub(crate) struct TextureSteps {
+    pub(in crate::kernel) triangle: u32,
+    s: [f64; STAMP],
+    t: [f64; STAMP],
+    w: [f64; STAMP],
+    /// The most that w rises and falls within a stamp.
+    rise: f64,
+    fall: f64,
+    /// Level `n + 1` or a coarser one holds where w is below entry `n`.
+    thresholds: [f64; 8],
     /// Level of detail of the triangle at w = 1, with the bias.
     base: i32,
+    /// The level of the last stamp that had only one.
+    last: Level,
 }
+
+/// One level, and the range of w that selects it.
+#[derive(Clone, Copy, Debug)]
+struct Level {
+    number: usize,
+    least: f64,
+    limit: f64,
+}
+
+impl TextureSteps {
+    pub const NONE: TextureSteps = TextureSteps {
+        triangle: u32::MAX,
+        s: [0.0; STAMP],
+        t: [0.0; STAMP],
+        w: [0.0; STAMP],
+        rise: 0.0,
+        fall: 0.0,
+        thresholds: [0.0; 8],
+        base: 0,
+        last: Level { number: 0, least: 0.0, limit: 0.0 },
+    };
+
+    #[inline(always)]
+    fn set<S: Simd>(&mut self, s: S, plan: &UnitPlan, [ps, pt, w]: [Plane64; 3], base: i32) {
+        ramp_wide(s, &ps, &mut self.s);
+        ramp_wide(s, &pt, &mut self.t);
+        ramp_wide(s, &w, &mut self.w);
+        let (right, down) = (w.dx as f64 * 3.0, w.dy as f64 * 3.0);
+        self.rise = right.max(0.0) + down.max(0.0);
+        self.fall = right.min(0.0) + down.min(0.0);
+        self.base = base;
+        let (finest, coarsest) = plan.levels();
+        // Half the w is one level more.
+        let mut next = smallest_w_below(self.base, 1);
+        for (n, threshold) in self.thresholds.iter_mut().enumerate() {
+            // Levels outside the limits are never, or always, passed.
+            *threshold = match n as i32 + 1 {
+                level if level <= finest => f64::INFINITY,
+                level if level > coarsest => f64::NEG_INFINITY,
+                _ => next,
+            };
+            next *= 0.5;
+        }
+        self.last = Level { number: 0, least: 0.0, limit: 0.0 };
+    }
+
+    /// The level of a stamp with w from `smallest` to `largest`; `None` where
+    /// it has several.
+    #[inline(always)]
+    fn level(&mut self, smallest: f64, largest: f64) -> Option<usize> {
+        if self.last.least <= smallest && largest < self.last.limit {
+            return Some(self.last.number);
+        }
+        let (mut finest, mut coarsest) = (0, 0);
+        for &threshold in &self.thresholds {
+            finest += usize::from(largest < threshold);
+            coarsest += usize::from(smallest < threshold);
+        }
+        if finest != coarsest {
+            return None;
+        }
+        let limit = if finest == 0 { f64::INFINITY } else { self.thresholds[finest - 1] };
+        let least = self.thresholds.get(finest).copied().unwrap_or(f64::NEG_INFINITY);
+        self.last = Level { number: finest, least, limit };
+        Some(finest)
+    }
+}
+
+/// w where there is no perspective: one everywhere.
+const NO_PERSPECTIVE: Plane64 = Plane64 { c: 1 << 32, dx: 0, dy: 0 };
 
 /// Coordinates of every fragment of the block for `plan`'s unit: texel
 /// addresses of both rows, and the weights.
 #[inline(always)]
 pub(crate) fn address<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, plan: &UnitPlan) {
-    for slot in 0..block.count {
-        let at = block.slots[slot];
-        let triangle = &pass.triangles[at.triangle as usize];
+    let Block { count, slots, lod, row0, row1, weight_s, weight_t, steps, .. } = block;
+    let steps = &mut steps.units[plan.index];
+    let mut out = Samples { row0, row1, weight_s, weight_t };
+    for (slot, &at) in slots[..*count].iter().enumerate() {
+        let triangle = pass.triangle(&at);
+        let mut planes = pass.triangles.unit(triangle, plan.index);
+        if !plan.unit.perspective {
+            planes[2] = NO_PERSPECTIVE;
+        }
         let base = triangle.lod_base[plan.index] + i32::from(plan.unit.lod.bias);
+        let lod = &mut lod.0[slot * STAMP..][..STAMP];
+        if plan.needs_lod || !triangle.exact {
+            lods_of_stamp(lod, plan, &planes[2], base, at);
+        }
         if !triangle.exact {
-            inexact_stamp(s, block, plan, triangle, slot, base);
-        } else if plan.needs_lod {
-            lods_of_stamp(&mut block.lod.0[slot * STAMP..], plan, triangle, at, base);
-            stamp::<S, true>(s, block, plan, triangle, slot, base);
+            inexact_stamp(s, &mut out, plan, planes, (slot, at), lod);
+            continue;
+        }
+        if at.triangle != steps.triangle {
+            steps.triangle = at.triangle;
+            steps.set(s, plan, planes, base);
+        }
+        if plan.needs_lod {
+            stamp::<S, true>(s, &mut out, plan, planes, (slot, at), lod, steps);
         } else {
-            stamp::<S, false>(s, block, plan, triangle, slot, base);
+            stamp::<S, false>(s, &mut out, plan, planes, (slot, at), lod, steps);
         }
     }
 }
 
-/// The unit's w plane: one everywhere without perspective.
-#[inline(always)]
-fn w_plane(plan: &UnitPlan, triangle: &Triangle) -> Plane64 {
-    if plan.unit.perspective { triangle.tmu[plan.index][2] } else { Plane64::constant(1 << 32) }
+/// Where a unit's samples are described.
+struct Samples<'a> {
+    row0: &'a mut Lanes,
+    row1: &'a mut Lanes,
+    weight_s: &'a mut Lanes,
+    weight_t: &'a mut Lanes,
 }
 
 /// Levels of detail of a stamp's fragments, one by one.
-fn lods_of_stamp(out: &mut [i32], plan: &UnitPlan, triangle: &Triangle, at: Slot, base: i32) {
-    let w = w_plane(plan, triangle);
+fn lods_of_stamp(out: &mut [i32], plan: &UnitPlan, w: &Plane64, base: i32, at: Slot) {
     for (i, out) in out[..STAMP].iter_mut().enumerate() {
         let (x, y) = (at.x + (i & 3) as i32, at.y + (i >> 2) as i32);
         *out = lod_at(plan, base, w.at(x, y), x, y);
@@ -84,15 +180,12 @@ fn quotient(s: i64, w: i64, clamp_negative_w: bool) -> i32 {
 #[inline(always)]
 fn inexact_stamp<S: Simd>(
     s: S,
-    block: &mut Block,
+    out: &mut Samples<'_>,
     plan: &UnitPlan,
-    triangle: &Triangle,
-    slot: usize,
-    base: i32,
+    [ps, pt, pw]: [Plane64; 3],
+    (slot, at): (usize, Slot),
+    lods: &[i32],
 ) {
-    let at = block.slots[slot];
-    let [ps, pt, _] = &triangle.tmu[plan.index];
-    let pw = w_plane(plan, triangle);
     let (mut qs, mut qt) = ([0; STAMP], [0; STAMP]);
     for i in 0..STAMP {
         let (x, y) = (at.x + (i & 3) as i32, at.y + (i >> 2) as i32);
@@ -100,89 +193,77 @@ fn inexact_stamp<S: Simd>(
         qs[i] = quotient(ps.at(x, y), w, clamp);
         qt[i] = quotient(pt.at(x, y), w, clamp);
     }
-    lods_of_stamp(&mut block.lod.0[slot * STAMP..], plan, triangle, at, base);
     for j in (0..STAMP).step_by(S::LANES) {
         let k = slot * STAMP + j;
-        let levels = levels_by_lod(s, plan, s.load(&block.lod.0[k..]));
-        store_address(s, block, plan, k, [s.load(&qs[j..]), s.load(&qt[j..])], &levels);
+        let levels = levels_by_lod(s, plan, s.load(&lods[j..]));
+        store_address(s, out, plan, k, [s.load(&qs[j..]), s.load(&qt[j..])], &levels);
     }
 }
 
-/// A stamp in float lanes; `LODS` where `block.lod` holds the levels of detail.
+/// A stamp in float lanes; `LODS` where levels come from `lods`.
 #[inline(always)]
 fn stamp<S: Simd, const LODS: bool>(
     s: S,
-    block: &mut Block,
+    out: &mut Samples<'_>,
     plan: &UnitPlan,
-    triangle: &Triangle,
-    slot: usize,
-    base: i32,
+    [ps, pt, pw]: [Plane64; 3],
+    (slot, at): (usize, Slot),
+    lods: &[i32],
+    steps: &mut TextureSteps,
 ) {
-    let at = block.slots[slot];
-    let [ps, pt, _] = &triangle.tmu[plan.index];
-    let pw = w_plane(plan, triangle);
-    let levels = if LODS { None } else { Some(stamp_levels(plan, &pw, at, base)) };
-    let scale = s.splat_f(256.0);
+    let corner_w = pw.at(at.x, at.y) as f64;
+    // w is linear, so its extremes are at corners.
+    let (smallest, largest) = (corner_w + steps.fall, corner_w + steps.rise);
+    let level = if LODS { None } else { steps.level(smallest, largest) };
+    let base_s = s.splat_f(ps.at(at.x, at.y) as f64);
+    let base_t = s.splat_f(pt.at(at.x, at.y) as f64);
+    let base_w = s.splat_f(corner_w);
+    let (zero, scale) = (s.splat_f(0.0), s.splat_f(256.0));
     for j in (0..STAMP).step_by(S::LANES) {
         let k = slot * STAMP + j;
-        let w = iterate_wide(s, &pw, at.x, at.y, j);
-        let qs = (iterate_wide(s, ps, at.x, at.y, j) * scale / w).floor_i32();
-        let qt = (iterate_wide(s, pt, at.x, at.y, j) * scale / w).floor_i32();
-        let zero = s.splat_f(0.0);
-        let mut valid = zero.lt(w);
-        if !plan.unit.clamp_negative_w {
-            valid = valid | w.lt(zero);
+        let w = base_w + s.load_f(&steps.w[j..]);
+        let mut qs = ((base_s + s.load_f(&steps.s[j..])) * scale / w).floor_i32();
+        let mut qt = ((base_t + s.load_f(&steps.t[j..])) * scale / w).floor_i32();
+        if smallest <= 0.0 {
+            let mut valid = zero.lt(w);
+            if !plan.unit.clamp_negative_w {
+                valid = valid | w.lt(zero);
+            }
+            qs = qs.select(s.splat(0), valid);
+            qt = qt.select(s.splat(0), valid);
         }
-        let q = [qs.select(s.splat(0), valid), qt.select(s.splat(0), valid)];
-        let lanes = match &levels {
-            Some(levels) => levels_by_w(s, plan, levels, w),
-            None => levels_by_lod(s, plan, s.load(&block.lod.0[k..])),
+        let lanes = match level {
+            Some(level) => one_level(s, plan, level, bilinear_lanes(s, plan, steps.base, w)),
+            None if LODS => levels_by_lod(s, plan, s.load(&lods[j..])),
+            None => levels_by_w(s, plan, steps, w),
         };
-        store_address(s, block, plan, k, q, &lanes);
+        store_address(s, out, plan, k, [qs, qt], &lanes);
     }
 }
 
-/// The levels that w's range over the stamp selects.
+/// Address lanes of one level.
 #[inline(always)]
-fn stamp_levels(plan: &UnitPlan, w: &Plane64, at: Slot, base: i32) -> StampLevels {
-    let corner = w.at(at.x, at.y) as f64;
-    let (dx, dy) = (w.dx as f64 * 3.0, w.dy as f64 * 3.0);
-    let largest = corner + dx.max(0.0) + dy.max(0.0);
-    let smallest = corner + dx.min(0.0) + dy.min(0.0);
-    let (mut finest, last) = plan.levels();
-    while finest < last && largest < smallest_w_below(base, finest + 1) {
-        finest += 1;
+fn one_level<S: Simd>(s: S, plan: &UnitPlan, level: usize, bilinear: S::I) -> LevelLanes<S> {
+    let (n, t) = (level & 15, &plan.tables);
+    LevelLanes {
+        base: s.splat(t.base[n]),
+        pitch: s.splat(t.pitch[n]),
+        s_mask: s.splat(t.s_mask[n]),
+        t_mask: s.splat(t.t_mask[n]),
+        shift: s.splat(t.shift[n]),
+        half: bilinear & s.splat(0x80),
+        fraction: bilinear & s.splat(15),
     }
-    let mut coarsest = finest;
-    while coarsest < last && smallest < smallest_w_below(base, coarsest + 1) {
-        coarsest += 1;
-    }
-    StampLevels { finest, coarsest, base }
 }
 
 /// Address lanes of the levels that `w` selects.
 #[inline(always)]
-fn levels_by_w<S: Simd>(s: S, plan: &UnitPlan, levels: &StampLevels, w: S::F) -> LevelLanes<S> {
-    let bilinear = bilinear_lanes(s, plan, levels.base, w);
-    if levels.finest == levels.coarsest {
-        let n = (levels.finest & 15) as usize;
-        let t = &plan.tables;
-        return LevelLanes {
-            base: s.splat(t.base[n]),
-            pitch: s.splat(t.pitch[n]),
-            s_mask: s.splat(t.s_mask[n]),
-            t_mask: s.splat(t.t_mask[n]),
-            shift: s.splat(t.shift[n]),
-            half: bilinear & s.splat(0x80),
-            fraction: bilinear & s.splat(15),
-        };
+fn levels_by_w<S: Simd>(s: S, plan: &UnitPlan, steps: &TextureSteps, w: S::F) -> LevelLanes<S> {
+    let mut level = s.splat(0);
+    for (n, &threshold) in steps.thresholds.iter().enumerate() {
+        level = s.splat(n as i32 + 1).select(level, w.lt(s.splat_f(threshold)));
     }
-    let mut level = s.splat(levels.finest);
-    for next in levels.finest + 1..=levels.coarsest {
-        let threshold = s.splat_f(smallest_w_below(levels.base, next));
-        level = s.splat(next).select(level, w.lt(threshold));
-    }
-    lookup(s, plan, level, bilinear)
+    lookup(s, plan, level, bilinear_lanes(s, plan, steps.base, w))
 }
 
 /// All ones for a filter of four texels, zero for a single one.
@@ -229,7 +310,7 @@ fn lookup<S: Simd>(s: S, plan: &UnitPlan, level: S::I, bilinear: S::I) -> LevelL
 #[inline(always)]
 fn store_address<S: Simd>(
     s: S,
-    block: &mut Block,
+    out: &mut Samples<'_>,
     plan: &UnitPlan,
     k: usize,
     [qs, qt]: [S::I; 2],
@@ -244,14 +325,14 @@ fn store_address<S: Simd>(
     let next =
         if plan.unit.clamp_t { (row + one).min(level.t_mask) } else { (row + one) & level.t_mask };
     let start = level.base + column;
-    s.store(start + row.mul(level.pitch), &mut block.row0.0[k..]);
-    s.store(start + next.mul(level.pitch), &mut block.row1.0[k..]);
+    s.store(start + row.mul(level.pitch), &mut out.row0.0[k..]);
+    s.store(start + next.mul(level.pitch), &mut out.row1.0[k..]);
     // Weights of the texel and its right neighbour as bytes, 16 together.
     let ds = x.sar(4) & level.fraction;
     let pair = ds.shl(8) - ds + s.splat(16);
-    s.store(pair | pair.shl(16), &mut block.weight_s.0[k..]);
+    s.store(pair | pair.shl(16), &mut out.weight_s.0[k..]);
     let dt = y.sar(4) & level.fraction;
-    s.store(dt | dt.shl(16), &mut block.weight_t.0[k..]);
+    s.store(dt | dt.shl(16), &mut out.weight_t.0[k..]);
 }
 
 /// Clamps or wraps a coordinate of 8 fraction bits to a side of mask + 1

@@ -12,6 +12,7 @@ use crate::state::DITHER_4X4;
 
 /// Level of detail at w = 1, of planes with 32 fraction bits; far below any
 /// limit where s and t are constant.
+#[inline(always)]
 pub(crate) fn lod_base(s: &Plane64, t: &Plane64) -> i32 {
     let length = |s: i64, t: i64| (s as f64) * (s as f64) + (t as f64) * (t as f64);
     let longest = length(s.dx, t.dx).max(length(s.dy, t.dy));

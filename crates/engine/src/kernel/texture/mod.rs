@@ -8,8 +8,8 @@ mod fetch;
 mod lod;
 mod plan;
 
-pub(crate) use address::address;
+pub(crate) use address::{TextureSteps, address};
 pub(crate) use combine::texture_combine;
-pub(crate) use fetch::fetch;
+pub(crate) use fetch::{fetch, texels};
 pub(crate) use lod::lod_base;
 pub(crate) use plan::UnitPlan;

@@ -55,7 +55,7 @@ impl UnitPlan {
             lod_max,
             needs_lod: unit.lod_dither || uses_lod(&combine, unit.trilinear),
             point: unit.minify == Filter::Point && unit.magnify == Filter::Point,
-            texel_only: is_texel(&combine.color) && is_texel(&combine.alpha),
+            texel_only: passes_texel(&combine),
             has_other,
             switches: Switches::new(&combine.color, &combine.alpha),
             texture,
@@ -74,8 +74,10 @@ impl UnitPlan {
 }
 
 /// Whether the unit's output is its texel, unchanged.
-fn is_texel(unit: &CombineUnit<TextureFactor>) -> bool {
-    unit.zero_other && !unit.subtract_local && unit.add == Addend::Local && !unit.invert
+fn passes_texel(combine: &TextureCombine) -> bool {
+    combine.color.passes_local()
+        && combine.color.add == Addend::Local
+        && combine.alpha.passes_local()
 }
 
 fn uses_lod(combine: &TextureCombine, trilinear: bool) -> bool {
