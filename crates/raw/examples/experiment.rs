@@ -3,10 +3,14 @@
 //!
 //! `cargo run --release -p fillrate-raw --example experiment -- [all] [PAGE.html]`
 
-use fillrate_raw::bench::{figures, run};
+use fillrate_raw::bench::{figures, gains, run};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments = std::env::args().skip(1).peekable();
+    if arguments.next_if(|a| a == "gains").is_some() {
+        print!("{}", gains::table(&gains::measure()?));
+        return Ok(());
+    }
     let all = arguments.next_if(|a| a == "all").is_some();
     let tests = if all { run::matrix() } else { run::charted() };
     let threads = std::thread::available_parallelism()?.get();

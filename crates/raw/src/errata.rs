@@ -107,6 +107,9 @@ errata! {
     texture_bytes_as_words,
     /// Block transfers discard what they write and read zeros; compaction does nothing.
     blocks_do_nothing,
+    /// A texture that is uploaded again, or replaced after a reset, stays as it was in the caches of
+    /// the stage-3 tiles.
+    uploads_stay_cached,
     /// At the start of a scene the other stage-1 tiles are not told of state changes.
     scene_start_hides_state,
     /// The colour calls for lights mask their channels with 0x0f.

@@ -62,6 +62,9 @@ pub struct TextureManager {
     order: Vec<usize>,
     budget: u32,
     free: u32,
+    /// Counts changes, and the count at the last change of each entry.
+    changes: u64,
+    versions: Vec<u64>,
     errata: Errata,
 }
 
@@ -76,6 +79,8 @@ impl TextureManager {
             order: Vec::new(),
             budget: bytes,
             free: bytes,
+            changes: 0,
+            versions: vec![0; entries],
             errata,
         }
     }
@@ -84,6 +89,9 @@ impl TextureManager {
     pub fn reset(&mut self) {
         self.entries.fill(None);
         self.order.clear();
+        if !self.errata.uploads_stay_cached {
+            (0..self.versions.len()).for_each(|id| self.touch(id));
+        }
         self.free = self.budget;
     }
 
@@ -130,6 +138,7 @@ impl TextureManager {
         let Some((rank, begin)) = self.find_gap(need as usize) else { return NO_TEXTURE };
         self.entries[id] = Some(Texture { width, height, levels, begin });
         self.order.insert(rank, id);
+        self.touch(id);
         self.free -= need as u32 * 4;
         id as u32
     }
@@ -152,6 +161,7 @@ impl TextureManager {
     pub fn deallocate(&mut self, id: u32) {
         if let Some(texture) = self.get(id) {
             self.entries[id as usize] = None;
+            self.touch(id as usize);
             self.order.retain(|&other| other != id as usize);
             self.free += texture.words() as u32 * 4;
         }
@@ -162,13 +172,42 @@ impl TextureManager {
     pub fn upload_word(&mut self, id: u32, index: usize, texel: u32) {
         if let Some(texture) = self.get(id).filter(|t| index < t.words()) {
             self.memory[texture.begin + index] = texel;
+            if !self.errata.uploads_stay_cached {
+                self.touch(id as usize);
+            }
         }
+    }
+
+    /// Notes a change of an entry.
+    fn touch(&mut self, id: usize) {
+        self.changes += 1;
+        self.versions[id] = self.changes;
+    }
+
+    /// When an entry last changed, and which words of the memory are its texture's.
+    pub fn version(&self, id: u32) -> (u64, std::ops::Range<usize>) {
+        let version = self.versions.get(id as usize).copied().unwrap_or(0);
+        let words = self.get(id).map_or(0..0, |t| t.begin..t.begin + t.words());
+        (version, words)
+    }
+
+    /// Takes the table of another manager, but none of its texels.
+    pub fn adopt_table(&mut self, other: &Self) {
+        self.entries.clone_from(&other.entries);
+    }
+
+    /// Takes the cache line around a word from another manager.
+    pub fn copy_line(&mut self, other: &Self, word: usize) {
+        let from = word & !7;
+        let to = (from + 8).min(self.memory.len()).min(other.memory.len());
+        self.memory[from..to].copy_from_slice(&other.memory[from..to]);
     }
 
     /// Makes the levels of a texture from its finest one: each texel is the average of up to four
     /// of the level before, rounded to nearest. Bad ids are ignored. Beyond the thesis.
     pub fn make_levels(&mut self, id: u32) {
         let Some(texture) = self.get(id) else { return };
+        self.touch(id as usize);
         for level in 1..texture.levels {
             let (from, to) = (texture.level(level - 1), texture.level(level));
             for (x, y) in (0..to.height).flat_map(|y| (0..to.width).map(move |x| (x, y))) {
@@ -194,6 +233,8 @@ impl TextureManager {
         }
         let mut next = 0;
         for &id in &self.order {
+            self.changes += 1;
+            self.versions[id] = self.changes;
             let texture = self.entries[id].as_mut().expect("listed textures are allocated");
             let from = texture.begin;
             texture.begin = next;

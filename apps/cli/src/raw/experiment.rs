@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result};
 use clap::Args;
-use fillrate_raw::bench::{bands, figures, run};
+use fillrate_raw::bench::{bands, figures, gains, run};
 use indicatif::ProgressBar;
 
 use crate::Outcome;
@@ -15,6 +15,9 @@ pub struct ExperimentArgs {
     /// Run all 2520 tests instead of the 84 of the charts
     #[arg(long)]
     all: bool,
+    /// Measure the improvements beyond the thesis instead, and how far the array scales
+    #[arg(long, conflicts_with_all = ["all", "json"])]
+    gains: bool,
     /// Worker threads
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     threads: Option<u16>,
@@ -28,6 +31,9 @@ pub struct ExperimentArgs {
 
 /// The command. Exit code 1 where a published range does not hold or a picture differs.
 pub fn experiment(args: &ExperimentArgs) -> Result<Outcome> {
+    if args.gains {
+        return measure_gains(args);
+    }
     let tests = if args.all { run::matrix() } else { run::charted() };
     let outcomes = run_tests(args, &tests)?;
     let charted = run::charted();
@@ -45,6 +51,19 @@ pub fn experiment(args: &ExperimentArgs) -> Result<Outcome> {
         && bands::shapes(&shown).iter().all(|(_, shows)| *shows)
         && outcomes.iter().all(|outcome| outcome.same_picture);
     Ok(if holds { Outcome::Same } else { Outcome::Differs })
+}
+
+/// Exit code 1 where a picture differs.
+fn measure_gains(args: &ExperimentArgs) -> Result<Outcome> {
+    let gains = gains::measure()?;
+    print!("{}", gains::table(&gains));
+    if let Some(folder) = &args.out {
+        std::fs::create_dir_all(folder)?;
+        std::fs::write(folder.join("gains.html"), gains::page(&gains))?;
+        println!("{}", folder.join("gains.html").display());
+    }
+    let same = gains.switches.iter().chain(&gains.scaling).all(|row| row.same_pictures);
+    Ok(if same { Outcome::Same } else { Outcome::Differs })
 }
 
 fn run_tests(args: &ExperimentArgs, tests: &[run::Test]) -> Result<Vec<run::Outcome>> {

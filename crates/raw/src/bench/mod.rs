@@ -7,6 +7,7 @@
 
 pub mod bands;
 pub mod figures;
+pub mod gains;
 pub mod run;
 pub mod vectors;
 

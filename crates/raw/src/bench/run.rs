@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::vectors::{CHARTED, INNER, Inner, OUTER, Outer, SCALES, records};
 use crate::device::Config;
+use crate::protocol::Record;
 use crate::sim::cost::Costs;
 use crate::sim::perf::Counters;
 use crate::sim::{self, Deadlock, Options, single};
@@ -102,9 +103,16 @@ fn tests(lines: impl Iterator<Item = (Outer, Inner)>) -> Vec<Test> {
 /// # Errors
 /// The grid got stuck.
 pub fn run(test: Test, setting: &Setting) -> Result<Outcome, Deadlock> {
-    let records = records(test.outer, test.inner, test.scale, setting.frames);
-    let (device, _) = single::play(setting.config, setting.costs, &records);
-    let grid = sim::play(setting.config, setting.costs, setting.options, &records, |_| {})?;
+    compare(test, setting, &records(test.outer, test.inner, test.scale, setting.frames))
+}
+
+/// Plays records on both builds; `test` says what they are.
+///
+/// # Errors
+/// The grid got stuck.
+pub fn compare(test: Test, setting: &Setting, records: &[Record]) -> Result<Outcome, Deadlock> {
+    let (device, _) = single::play(setting.config, setting.costs, records);
+    let grid = sim::play(setting.config, setting.costs, setting.options, records, |_| {})?;
     Ok(Outcome {
         test,
         single: device.observer().counters(),

@@ -149,7 +149,8 @@ pub fn records(outer: Outer, inner: Inner, scale: f32, frames: u32) -> Vec<Recor
     client.take_records()
 }
 
-fn set_up(client: &mut Client, outer: Outer, inner: Inner) {
+/// Textures, lights and modes of a test, outside a scene.
+pub fn set_up(client: &mut Client, outer: Outer, inner: Inner) {
     client.call(&Call::ClearFb { pages: 3, rgbx: 0 });
     client.call(&Call::ClearZ {});
     client.call(&Call::AllocateTexture { width: 8, height: 8 });

@@ -31,9 +31,17 @@ impl Cache {
         }
     }
 
-    /// Drops everything.
-    pub fn invalidate(&mut self) {
-        self.sets.fill([u64::MAX; 2]);
+    /// Drops the lines of a range of word addresses.
+    pub fn drop_words(&mut self, words: std::ops::Range<usize>) {
+        let lines = words.start as u64 / LINE_WORDS..(words.end as u64).div_ceil(LINE_WORDS);
+        for ways in &mut self.sets {
+            for way in ways.iter_mut().filter(|way| lines.contains(way)) {
+                *way = u64::MAX;
+            }
+            if ways[0] == u64::MAX {
+                ways.swap(0, 1);
+            }
+        }
     }
 }
 
@@ -47,6 +55,8 @@ mod tests {
         let stride = SETS as u64 * LINE_WORDS;
         assert!(cache.touch(0) && !cache.touch(7) && cache.touch(stride));
         assert!(!cache.touch(1));
-        assert!(cache.touch(2 * stride) && !cache.touch(0) && cache.touch(stride));
+        cache.drop_words(1..2);
+        assert!(cache.touch(0) && !cache.touch(stride));
+        assert!(cache.touch(2 * stride) && !cache.touch(stride) && cache.touch(0));
     }
 }

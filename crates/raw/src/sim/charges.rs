@@ -28,10 +28,10 @@ pub fn setup(c: &Costs, needs: Interpolants, mut charge: impl FnMut(Burst)) {
     charge(c.s2.average.times(u32::from(needs.flat_color)));
 }
 
-/// Stage 2 walking the box.
-pub fn walk(c: &Costs, work: RasterWork, mut charge: impl FnMut(Burst)) {
+/// Stage 2 walking the box; `parts` of fifteen parts of the cost of a visited pixel arise.
+pub fn walk(c: &Costs, work: RasterWork, parts: u32, mut charge: impl FnMut(Burst)) {
     charge(c.s2.row.times(work.rows));
-    charge(c.s2.visit.times(work.visited));
+    charge(c.s2.visit.times(work.visited).share(parts, 15));
 }
 
 /// Stage 2 making a fragment.

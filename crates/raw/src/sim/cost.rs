@@ -59,6 +59,8 @@ pub struct Stage1Costs {
     pub premultiply: Burst,
     /// One more attribute times 1/w, three vertices.
     pub premultiply_extra: Burst,
+    /// Comparing where two primitives lie.
+    pub compare_extent: Burst,
     /// Sending, per word.
     pub send_word: Burst,
 }
@@ -138,6 +140,8 @@ pub struct Stage4Costs {
     pub round_trip: u32,
     /// Taking the token and passing it on.
     pub hand_over: u32,
+    /// A message to the arbiter of a bank; beyond the thesis.
+    pub ask: Burst,
     /// Fragments buffered at most.
     pub buffered: usize,
 }
@@ -167,6 +171,8 @@ pub struct Costs {
     pub path_words: usize,
     /// Cycles from one processor to its neighbour.
     pub path_latency: u32,
+    /// Cycles until the switch of row 2 lets the next words in: two of control, two on the way.
+    pub switch_turn: u32,
 }
 
 /// The table used throughout.
@@ -184,6 +190,7 @@ pub const COSTS: Costs = Costs {
         clip_vertex: Burst::new(150, 65),
         premultiply: Burst::new(330, 65),
         premultiply_extra: Burst::new(40, 65),
+        compare_extent: Burst::new(8, 80),
         send_word: Burst::new(4, 80),
     },
     s2: Stage2Costs {
@@ -222,6 +229,7 @@ pub const COSTS: Costs = Costs {
         blend: Burst::new(158, 80),
         round_trip: 60,
         hand_over: 12,
+        ask: Burst::new(6, 80),
         buffered: 16,
     },
     miss: 54,
@@ -231,6 +239,7 @@ pub const COSTS: Costs = Costs {
     host_word: 2,
     path_words: 12,
     path_latency: 4,
+    switch_turn: 4,
 };
 
 impl Default for Costs {

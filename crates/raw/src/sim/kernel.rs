@@ -38,7 +38,10 @@ pub struct Kernel {
     tasks: RefCell<Vec<Option<Task>>>,
     /// When each task runs next; `u64::MAX` when nothing is planned.
     alarms: RefCell<Vec<u64>>,
-    killed: RefCell<Vec<TaskId>>,
+    /// Places of tasks that were ended, for new ones.
+    free: RefCell<Vec<TaskId>>,
+    /// Tasks whose events alone do not show that anything goes on.
+    idle: RefCell<Vec<TaskId>>,
     idle_events: Cell<u32>,
     stopped: Cell<bool>,
 }
@@ -51,16 +54,35 @@ impl Kernel {
 
     /// Adds a task and schedules its first run for now.
     pub fn spawn(&self, task: Task) -> TaskId {
-        let id = self.tasks.borrow().len();
-        self.tasks.borrow_mut().push(Some(task));
+        let mut tasks = self.tasks.borrow_mut();
+        // An event of the task that was there before is a spurious wake.
+        let id = self.free.borrow_mut().pop().unwrap_or(tasks.len());
+        if id == tasks.len() {
+            tasks.push(None);
+        }
+        tasks[id] = Some(task);
+        drop(tasks);
         self.wake(id, self.now());
         id
+    }
+
+    /// Notes that a task only passes something round; it does not keep the machine alive.
+    pub fn mark_idle(&self, id: TaskId) {
+        self.idle.borrow_mut().push(id);
+    }
+
+    /// Whether any task that does work has something planned.
+    fn work_is_planned(&self) -> bool {
+        let idle = self.idle.borrow();
+        let alarms = self.alarms.borrow();
+        alarms.iter().enumerate().any(|(id, at)| *at != u64::MAX && !idle.contains(&id))
     }
 
     /// Ends a task other than the running one.
     pub fn kill(&self, id: TaskId) {
         self.tasks.borrow_mut()[id] = None;
-        self.killed.borrow_mut().push(id);
+        self.idle.borrow_mut().retain(|idle| *idle != id);
+        self.free.borrow_mut().push(id);
     }
 
     /// Runs the task at cycle `at`, or now if that has passed.
@@ -113,6 +135,7 @@ impl Kernel {
     /// Drops all tasks and events.
     pub fn clear(&self) {
         self.tasks.borrow_mut().clear();
+        self.free.borrow_mut().clear();
         self.queue.borrow_mut().clear();
     }
 
@@ -133,7 +156,10 @@ impl Kernel {
             let idle = self.idle_events.get() + 1;
             self.idle_events.set(idle);
             if idle > STUCK_AFTER {
-                return Ended::Stuck;
+                if !self.work_is_planned() {
+                    return Ended::Stuck;
+                }
+                self.idle_events.set(0);
             }
             self.poll(id, &mut context);
         }
@@ -142,7 +168,7 @@ impl Kernel {
 
     fn poll(&self, id: TaskId, context: &mut Context<'_>) {
         let Some(mut task) = self.tasks.borrow_mut()[id].take() else { return };
-        if task.as_mut().poll(context).is_pending() && !self.killed.borrow().contains(&id) {
+        if task.as_mut().poll(context).is_pending() {
             self.tasks.borrow_mut()[id] = Some(task);
         }
     }

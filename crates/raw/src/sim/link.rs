@@ -16,6 +16,8 @@ pub struct Link<T> {
     words: RefCell<VecDeque<u64>>,
     places: RefCell<VecDeque<u64>>,
     capacity: usize,
+    /// No word leaves before this cycle.
+    held_until: Cell<u64>,
     reader: Cell<Option<TaskId>>,
     writer: Cell<Option<TaskId>>,
 }
@@ -29,6 +31,7 @@ impl<T> Link<T> {
             words: RefCell::default(),
             places: RefCell::new(std::iter::repeat_n(0, capacity).collect()),
             capacity,
+            held_until: Cell::new(0),
             reader: Cell::new(None),
             writer: Cell::new(None),
         }
@@ -41,6 +44,11 @@ impl<T> Link<T> {
         *self.places.borrow_mut() = std::iter::repeat_n(0, self.capacity).collect();
         self.reader.set(None);
         self.writer.set(None);
+    }
+
+    /// Holds words back until a cycle, as a switch does that is busy with something else.
+    pub fn hold_until(&self, cycle: u64) {
+        self.held_until.set(cycle);
     }
 
     /// The cycle at which the next word can be read, if one is on its way.
@@ -95,7 +103,7 @@ impl<T> Link<T> {
             self.reader.set(Some(me));
             k.suspend().await;
         };
-        let taken = clock.get().max(ready);
+        let taken = clock.get().max(ready).max(self.held_until.get());
         self.places.borrow_mut().push_back(taken);
         clock.set(taken + 1);
         k.progress();

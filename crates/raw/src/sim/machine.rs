@@ -5,10 +5,14 @@ use std::collections::VecDeque;
 use std::rc::Rc;
 
 use super::Options;
+use super::bank::{self, Arbiter, Loan};
 use super::cost::{Burst, Costs};
+use super::gdn::{Gdn, Place};
 use super::kernel::{Kernel, TaskId};
 use super::link::Link;
 use super::perf::Counters;
+use super::pipe::{STEPS, StepMessage};
+use super::ticket::{Progress, Ticket, Tickets};
 use crate::device::Core;
 use crate::error::StreamError;
 use crate::host::HostError;
@@ -17,8 +21,8 @@ use crate::state::{ModeBits, PrimInfo};
 
 /// From stage 1 to stage 2.
 pub enum PrimMessage {
-    /// The parts of a transformed primitive; at least one.
-    Prim(Vec<TransPrim>),
+    /// The parts of a transformed primitive, at least one, and its place in the order.
+    Prim(Vec<TransPrim>, Ticket),
     /// A flush marker with the column it started from.
     Flush(usize),
 }
@@ -26,7 +30,7 @@ pub enum PrimMessage {
 /// From stage 2 to stage 3.
 pub enum FragMessage {
     /// A primitive begins.
-    Prim(PrimInfo),
+    Prim(PrimInfo, Ticket),
     /// A fragment of it.
     Frag(UntexFragment),
     /// It ends.
@@ -37,8 +41,8 @@ pub enum FragMessage {
 
 /// From stage 3 to stage 4.
 pub enum PixelMessage {
-    /// A primitive begins: mode and sequence number.
-    Prim(ModeBits, u32),
+    /// A primitive begins: mode and place in the order.
+    Prim(ModeBits, Ticket),
     /// A fragment of it.
     Frag(Fragment),
     /// It ends.
@@ -89,6 +93,8 @@ pub enum Wait {
     Token(u32),
     /// Replies to a flush.
     FlushReplies,
+    /// A message from the tile at that row and column.
+    Message(Place),
 }
 
 /// A processor: its clock, its account and what holds it up.
@@ -122,16 +128,29 @@ pub struct Mailbox {
 }
 
 /// The token side of a stage-4 tile: what the interrupt handler and the program share.
-#[derive(Default)]
 pub struct TokenPost {
     /// The program wants the token (`taketurn` in the listing).
     pub wanted: Cell<bool>,
+    /// What the tile has of the bank; beyond the thesis.
+    pub loan: Cell<Loan>,
     /// The token, when the handler has kept it.
     pub granted: Cell<Option<u32>>,
     /// The token on its way here: arrival after the handler's work, and value.
     pub incoming: Cell<Option<(u64, u32)>>,
     /// The handler's task.
     pub handler: Cell<TaskId>,
+}
+
+impl Default for TokenPost {
+    fn default() -> Self {
+        Self {
+            wanted: Cell::new(false),
+            loan: Cell::default(),
+            granted: Cell::new(None),
+            incoming: Cell::new(None),
+            handler: Cell::new(usize::MAX),
+        }
+    }
 }
 
 /// Row 0: the switches of stage 1 and their paths.
@@ -152,8 +171,12 @@ pub struct Row0 {
     pub tasks: RefCell<Vec<TaskId>>,
     /// The first switch, asleep because every processor is busy.
     pub sleeping_offer: Cell<Option<TaskId>>,
-    /// Flush and end-of-scene messages and replies.
-    pub mail: Vec<Mailbox>,
+    /// When each switch was last offered a turn.
+    pub offered: Vec<Cell<u64>>,
+    /// Since the last offer to the first switch nobody has taken a turn.
+    pub all_passed: Cell<bool>,
+    /// Until this cycle it is known that no processor was ready.
+    pub busy_until: Cell<u64>,
 }
 
 impl Row0 {
@@ -161,7 +184,8 @@ impl Row0 {
     pub fn clear(&self) {
         self.east.iter().chain(&self.to_proc).for_each(Link::clear);
         self.west.iter().chain(&self.from_proc).for_each(Link::clear);
-        self.mail.iter().for_each(|mail| mail.letters.borrow_mut().clear());
+        self.all_passed.set(false);
+        self.busy_until.set(0);
         self.ready.iter().for_each(|ready| ready.set(true));
         self.active.set(None);
         self.sleeping_offer.set(None);
@@ -198,10 +222,30 @@ pub struct Machine {
     pub frags: Vec<Link<FragMessage>>,
     /// Stage 3 to 4.
     pub pixels: Vec<Link<PixelMessage>>,
-    /// Tokens of stage 4.
+    /// Banks of the frame buffer and of the depths; one in the thesis.
+    pub banks: usize,
+    /// Tokens of stage 4, bank by bank.
     pub tokens: Vec<TokenPost>,
-    /// When the memory port of each row is free again.
-    pub ports: [Cell<u64>; 4],
+    /// Who lends the banks; beyond the thesis.
+    pub arbiters: Vec<Arbiter>,
+    /// What each bank has finished; beyond the thesis.
+    pub progress: Vec<Progress>,
+    /// Places in the order.
+    pub tickets: RefCell<Tickets>,
+    /// From stage 3 to the pixel pipelines, pipeline by pipeline; beyond the thesis.
+    pub lanes: Vec<Link<PixelMessage>>,
+    /// Between the steps of the pixel pipelines.
+    pub steps: Vec<Link<StepMessage>>,
+    /// Pipelines that a column's flush marker has left.
+    pub markers: Vec<Cell<usize>>,
+    /// The dynamic network.
+    pub gdn: Gdn,
+    /// When each port of the frame-buffer controller is free again.
+    pub controllers: Vec<Cell<u64>>,
+    /// Words that have arrived by the dynamic network for each tile.
+    pub mail: Vec<Mailbox>,
+    /// When the memory port of each row is free again; stage 4 has one for each bank.
+    pub ports: Vec<Cell<u64>>,
     /// Counting is on, and a scene is open.
     pub counting: Cell<bool>,
     /// The counters.
@@ -216,6 +260,8 @@ impl Machine {
     /// A machine at rest.
     pub fn new(core: Core, costs: Costs, options: Options) -> Rc<Self> {
         let columns = options.columns;
+        let banks = options.banks();
+        let pipes = if options.uses_pipes() { banks } else { 0 };
         let (room, latency) = (costs.path_words, u64::from(costs.path_latency));
         let words = || (0..columns).map(|_| Link::new(4, 1)).collect::<Vec<_>>();
         let answers = || (0..columns).map(|_| Link::new(4, 1)).collect::<Vec<_>>();
@@ -237,13 +283,29 @@ impl Machine {
                 active: Cell::new(None),
                 tasks: RefCell::default(),
                 sleeping_offer: Cell::new(None),
-                mail: (0..columns).map(|_| Mailbox::default()).collect(),
+                offered: vec![Cell::new(0); columns],
+                all_passed: Cell::new(false),
+                busy_until: Cell::new(0),
             },
             prims: (0..columns).map(|_| Link::new(room, latency)).collect(),
-            frags: (0..columns).map(|_| Link::new(room, latency)).collect(),
+            // The switch of row 2 lets a fragment in only when the one before has left, so the four
+            // places before its processor do not count.
+            frags: (0..columns)
+                .map(|_| Link::new(room.saturating_sub(4).max(1), latency))
+                .collect(),
             pixels: (0..columns).map(|_| Link::new(room, latency)).collect(),
-            tokens: (0..columns).map(|_| TokenPost::default()).collect(),
-            ports: Default::default(),
+            banks,
+            tokens: (0..banks * columns).map(|_| TokenPost::default()).collect(),
+            arbiters: (0..banks).map(|_| Arbiter::default()).collect(),
+            progress: (0..banks).map(|_| Progress::default()).collect(),
+            tickets: RefCell::default(),
+            lanes: (0..pipes * columns).map(|_| Link::new(room, latency)).collect(),
+            steps: (0..pipes * (STEPS - 1)).map(|_| Link::new(room, latency)).collect(),
+            markers: vec![Cell::new(0); columns],
+            gdn: Gdn::new(columns, costs.gdn_ends),
+            controllers: vec![Cell::new(0); banks],
+            mail: (0..4 * columns).map(|_| Mailbox::default()).collect(),
+            ports: vec![Cell::new(0); 3 + banks],
             counting: Cell::new(false),
             counters: RefCell::default(),
             faults: RefCell::default(),
@@ -256,17 +318,27 @@ impl Machine {
     /// Ends every task but the host interface and empties all paths.
     pub fn stop_tiles(&self) {
         let handlers = self.tokens.iter().map(|token| token.handler.get());
+        let arbiters = self.arbiters.iter().map(|arbiter| arbiter.task.get());
         let tiles = self.tiles.iter().map(|tile| tile.task.get());
         let switches = self.row0.tasks.take();
-        tiles.chain(handlers).chain(switches).for_each(|task| self.k.kill(task));
+        let all = tiles.chain(handlers).chain(arbiters).chain(switches);
+        // Those that this machine does not have were never started.
+        all.filter(|task| *task != usize::MAX).for_each(|task| self.k.kill(task));
         self.host.clear();
         self.device.clear();
         self.row0.clear();
         self.prims.iter().for_each(Link::clear);
         self.frags.iter().for_each(Link::clear);
-        self.pixels.iter().for_each(Link::clear);
+        self.pixels.iter().chain(&self.lanes).for_each(Link::clear);
+        self.steps.iter().for_each(Link::clear);
+        self.mail.iter().for_each(|mail| mail.letters.borrow_mut().clear());
+        self.markers.iter().for_each(|seen| seen.set(0));
+        self.progress.iter().for_each(Progress::restart);
+        self.arbiters.iter().for_each(Arbiter::clear);
+        *self.tickets.borrow_mut() = Tickets::default();
         for post in &self.tokens {
             post.wanted.set(false);
+            post.loan.set(Loan::None);
             post.granted.set(None);
             post.incoming.set(None);
         }
@@ -335,28 +407,65 @@ impl Machine {
         self.account(tile, 100 * u64::from(words));
     }
 
-    /// Cycles a one-word dynamic message takes between two places of the grid.
-    pub fn gdn_latency(&self, from: (usize, usize), to: (usize, usize)) -> u64 {
-        let hops = from.0.abs_diff(to.0) + from.1.abs_diff(to.1);
-        u64::from(self.costs.gdn_ends) + hops as u64 + 2
+    /// Posts a word to a tile; `at` is the cycle of sending.
+    pub fn post(&self, at: u64, from: Place, to: Place, word: u32) {
+        let arrival = self.gdn.send(at, from, to, 2);
+        let number = self.tile_number(to.0, to.1);
+        self.mail[number].letters.borrow_mut().push_back((arrival, word));
+        self.k.wake(self.tiles[number].task.get(), arrival);
+        self.k.progress();
     }
 
-    /// Posts a word to a stage-1 tile; `at` is the cycle of sending.
-    pub fn post(&self, at: u64, from: (usize, usize), column: usize, word: u32) {
-        let arrival = at + self.gdn_latency(from, (0, column));
-        self.row0.mail[column].letters.borrow_mut().push_back((arrival, word));
-        self.k.wake(self.tile(0, column).task.get(), arrival);
-        self.k.progress();
+    /// A word that has arrived at a tile by now.
+    pub fn arrived(&self, stage: usize, column: usize) -> Option<u32> {
+        let mut letters = self.mail[self.tile_number(stage, column)].letters.borrow_mut();
+        letters.front().filter(|(at, _)| *at <= self.k.now())?;
+        letters.pop_front().map(|(_, word)| word)
+    }
+
+    /// Sets the alarm of a tile for a word that is still on its way.
+    pub fn expect_letter(&self, stage: usize, column: usize) {
+        let number = self.tile_number(stage, column);
+        if let Some((at, _)) = self.mail[number].letters.borrow().front() {
+            self.k.wake(self.tiles[number].task.get(), *at);
+        }
+    }
+
+    /// Waits for a word by the dynamic network.
+    pub async fn letter(&self, stage: usize, column: usize, wait: Wait) -> u32 {
+        let tile = self.tile(stage, column);
+        tile.wait.set(wait);
+        loop {
+            self.catch_up(tile).await;
+            if let Some(word) = self.arrived(stage, column) {
+                tile.wait.set(Wait::Nothing);
+                return word;
+            }
+            self.expect_letter(stage, column);
+            self.k.suspend().await;
+            tile.clock.set(tile.clock.get().max(self.k.now()));
+        }
+    }
+
+    /// What a column has of a bank; in the thesis its post for the token.
+    pub fn token(&self, bank: usize, column: usize) -> &TokenPost {
+        &self.tokens[bank * self.columns + column]
     }
 
     /// Sends the token from a stage-4 tile to the next at the current cycle.
     pub fn pass_token(&self, from: usize, value: u32) {
         let to = (from + 1) % self.columns;
         let handled = u64::from(self.costs.interrupt);
-        let arrival = self.k.now() + self.gdn_latency((3, from), (3, to)) + handled;
-        let post = &self.tokens[to];
+        let arrival = self.gdn.send(self.k.now(), (3, from), (3, to), 2) + handled;
+        let post = self.token(0, to);
         post.incoming.set(Some((arrival, value)));
         self.k.wake(post.handler.get(), arrival);
+    }
+
+    /// The bank of a fragment.
+    pub fn bank_of(&self, fragment: &Fragment) -> usize {
+        let address = self.core.borrow().target.frame.address(fragment.x, fragment.y);
+        bank::of_address(address, self.banks)
     }
 
     /// The counters with the active cycles of all tiles so far.
@@ -386,6 +495,9 @@ impl Machine {
                 Wait::Room(to) => format!("room on the way to tile {to}"),
                 Wait::Token(value) => format!("the token to reach {value}"),
                 Wait::FlushReplies => "replies to its flush".to_owned(),
+                Wait::Message((row, column)) => {
+                    format!("a message from tile {}", self.tile_number(row, column))
+                }
             };
             lines += &format!("tile {number} (stage {stage}) waits for {text}\n");
         }

@@ -6,21 +6,26 @@
 //!
 //! Source: RAW, chapters 3 and 4.
 
+mod bank;
+mod boot;
 mod cache;
 mod charges;
 pub mod cost;
+mod gdn;
 mod host;
 mod kernel;
 mod link;
 mod machine;
 mod options;
 pub mod perf;
+mod pipe;
 pub mod single;
 mod stage1;
 mod stage2;
 mod stage3;
 mod stage4;
 mod switch;
+mod ticket;
 
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
@@ -126,13 +131,16 @@ pub fn play_stream(
     (run, stuck)
 }
 
-/// Starts every tile, and sends the token on its way.
+/// Starts every tile.
 fn boot(m: &Rc<Machine>) {
     for column in 0..m.columns {
-        boot_column(m, column);
+        start_column(m, column);
     }
-    let first = m.core.borrow().state.prim.seq_num;
-    m.pass_token(0, first);
+    if !m.options.uses_tickets() {
+        (0..m.columns).for_each(|column| start_handler(m, column));
+    } else if !m.options.uses_pipes() {
+        (0..m.banks).for_each(|bank| start_arbiter(m, bank));
+    }
 }
 
 /// Stops everything but the host interface and starts again. Beyond the thesis.
@@ -142,19 +150,53 @@ fn restart(m: &Rc<Machine>) {
     boot(m);
 }
 
-/// Starts the four tiles of a column and its interrupt handler.
-fn boot_column(m: &Rc<Machine>, column: usize) {
+/// Starts the four tiles of a column.
+fn start_column(m: &Rc<Machine>, column: usize) {
     let tile = |stage: usize| &m.tile(stage, column).task;
     tile(0).set(m.k.spawn(Box::pin(stage1::run(Rc::clone(m), column))));
     tile(1).set(m.k.spawn(Box::pin(stage2::run(Rc::clone(m), column))));
     tile(2).set(m.k.spawn(Box::pin(stage3::run(Rc::clone(m), column))));
-    tile(3).set(m.k.spawn(Box::pin(stage4::run(Rc::clone(m), column))));
-    let handler = m.k.spawn(Box::pin(stage4::handler(Rc::clone(m), column)));
-    m.tokens[column].handler.set(handler);
+    tile(3).set(m.k.spawn(Box::pin(stage4_program(Rc::clone(m), column))));
+}
+
+/// The program of a tile of row 3, after its boot.
+async fn stage4_program(m: Rc<Machine>, column: usize) {
+    boot::tile(&m, 3, column).await;
+    let (pipe, step) = (column / pipe::STEPS, column % pipe::STEPS);
+    match (m.options.uses_pipes(), step) {
+        (true, 0) if pipe < m.banks => pipe::head(m, pipe).await,
+        (true, _) if pipe < m.banks => pipe::step(m, pipe, step).await,
+        (true, _) => {}
+        _ if m.options.uses_tickets() => bank::run(m, column).await,
+        _ => {
+            if column == 0 {
+                // The first tile of the row sends the token on its way.
+                let first = m.core.borrow().state.prim.seq_num;
+                m.pass_token(0, first);
+            }
+            stage4::run(m, column).await;
+        }
+    }
+}
+
+/// Starts the interrupt handler of a column.
+fn start_handler(m: &Rc<Machine>, column: usize) {
+    let task = m.k.spawn(Box::pin(stage4::handler(Rc::clone(m), column)));
+    m.k.mark_idle(task);
+    m.token(0, column).handler.set(task);
+}
+
+/// Starts the arbiter of a bank.
+fn start_arbiter(m: &Rc<Machine>, bank: usize) {
+    let task = m.k.spawn(Box::pin(bank::arbiter(Rc::clone(m), bank)));
+    m.arbiters[bank].task.set(task);
 }
 
 fn finish(m: &Machine) -> Run {
-    let token = m.tokens.iter().find_map(|t| t.incoming.get().map(|(_, value)| value));
+    let token = match m.options.uses_tickets() {
+        true => m.progress.iter().map(|bank| bank.low() as u32).min(),
+        false => m.tokens.iter().find_map(|t| t.incoming.get().map(|(_, value)| value)),
+    };
     Run {
         counters: m.counters(),
         core: m.core.borrow().clone(),

@@ -1,5 +1,6 @@
 //! Switches of the model: the size of the grid, and what chapter 6 of the thesis would improve.
 
+use super::pipe::STEPS;
 use crate::stage::raster::Interpolants;
 use crate::state::ModeBits;
 
@@ -50,9 +51,61 @@ options! {
     z_once_per_burst = false,
     /// Ordered primitives are buffered while they wait for their turn.
     buffer_ordered = false,
+    /// Stage 2 steps only the planes a mode uses.
+    lean_raster = false,
+    /// Stage 1 computes edges and planes for stage 2.
+    setup_in_stage1 = false,
+    /// An ordered primitive waits only for those before it that it overlaps.
+    overlap_test = false,
+    /// Stage 4 is a pipeline of four tiles; needs four columns.
+    pixel_pipeline = false,
+    /// The frame buffer and the depths have a bank and a port for each column; with the pixel
+    /// pipeline, for every four columns.
+    banked = false,
 }
 
 impl Options {
+    /// The machine of the thesis with all improvements, `columns` wide.
+    pub fn improved(columns: usize) -> Self {
+        let mut options = Self { columns, ..Self::default() };
+        // The pixel pipeline stands in for a bank for each column, which is the faster of the two.
+        for name in Self::NAMES.iter().filter(|name| **name != "pixel_pipeline") {
+            options.set(name, true);
+        }
+        options
+    }
+
+    /// Whether stage 4 is made of pixel pipelines.
+    pub(super) fn uses_pipes(&self) -> bool {
+        self.pixel_pipeline && self.columns >= STEPS
+    }
+
+    /// Whether stage 4 keeps order by what is finished, not by counting.
+    pub(super) fn uses_tickets(&self) -> bool {
+        self.uses_pipes() || self.banked || self.overlap_test
+    }
+
+    /// Banks of the frame buffer and the depths.
+    pub(super) fn banks(&self) -> usize {
+        match (self.banked, self.uses_pipes()) {
+            (false, _) => 1,
+            (true, false) => self.columns,
+            (true, true) => self.columns / STEPS,
+        }
+    }
+
+    /// Of fifteen parts of testing a pixel, those that are needed: four for the test and one for
+    /// each plane stepped.
+    pub(super) fn visit_parts(&self, needs: Interpolants) -> u32 {
+        let lanes = needs.planes() - u32::from(needs.z);
+        if self.lean_raster { (7 + lanes).min(15) } else { 15 }
+    }
+
+    /// Of thirteen words of a fragment into and out of stage 3, those that are sent.
+    pub(super) fn transfer_parts(&self, words_in: u32, words_out: u32) -> u32 {
+        if self.minimal_messages { (words_in + words_out).min(13) } else { 13 }
+    }
+
     /// Words of a primitive from stage 1 to 2; `full` without savings.
     pub(super) fn prim_words(&self, mode: ModeBits, full: u32) -> u32 {
         if !self.minimal_messages {

@@ -118,7 +118,7 @@ impl Observer for SingleTile {
 
     fn fragment(&mut self, info: &PrimInfo, work: RasterWork, textured: &Textured) {
         let costs = self.costs;
-        charges::walk(&costs, work, |burst| self.charge(burst));
+        charges::walk(&costs, work, 15, |burst| self.charge(burst));
         if let Some(needs) = self.needs {
             charges::cover(&costs, needs, |burst| self.charge(burst));
         }
@@ -147,7 +147,7 @@ impl Observer for SingleTile {
 
     fn rows(&mut self, work: RasterWork) {
         let costs = self.costs;
-        charges::walk(&costs, work, |burst| self.charge(burst));
+        charges::walk(&costs, work, 15, |burst| self.charge(burst));
     }
 }
 

@@ -5,15 +5,17 @@
 use std::cell::Cell;
 use std::rc::Rc;
 
+use super::boot;
 use super::charges;
 use super::cost::Burst;
-use super::link::Link;
 use super::machine::{Machine, PrimMessage, Tile, Wait};
 use super::switch;
+use super::ticket::{Extent, Ticket};
 use crate::device::{MAX_FAULTS, READY, Replies};
 use crate::error::StreamError;
 use crate::opcode::Opcode;
-use crate::stage::{InputVertex, geometry, ordering};
+use crate::stage::raster::Interpolants;
+use crate::stage::{InputVertex, TransPrim, geometry, ordering};
 use crate::state::{RenderState, STATE_WORDS};
 use crate::stream::{SceneEvent, SceneReader};
 
@@ -44,6 +46,7 @@ enum Work {
 pub async fn run(m: Rc<Machine>, column: usize) {
     let state = m.core.borrow().state.clone();
     let mut tile = Stage1 { m, column, state, offset: 0 };
+    boot::tile(&tile.m, 0, column).await;
     if column == 0 {
         tile.reply(READY).await;
     }
@@ -165,10 +168,7 @@ impl Stage1 {
         for task in row.tasks.take() {
             self.m.k.kill(task);
         }
-        row.east.iter().chain(&row.to_proc).for_each(Link::clear);
-        row.west.iter().chain(&row.from_proc).for_each(Link::clear);
-        row.active.set(None);
-        row.sleeping_offer.set(None);
+        row.clear();
         self.reply(READY).await;
     }
 
@@ -179,7 +179,7 @@ impl Stage1 {
         loop {
             self.m.catch_up(tile).await;
             let now = self.m.k.now();
-            if let Some(word) = self.letter(now) {
+            if let Some(word) = self.m.arrived(0, self.column) {
                 tile.wait.set(Wait::Nothing);
                 tile.clock.set(now + u64::from(self.m.costs.interrupt));
                 return if word == END_SCENE { Work::EndScene } else { Work::Flush(word as usize) };
@@ -192,24 +192,9 @@ impl Stage1 {
                 Some(at) => self.m.k.wake(tile.task.get(), at),
                 None => link.notify(tile.task.get()),
             }
-            self.expect_letter();
+            self.m.expect_letter(0, self.column);
             self.m.k.suspend().await;
         }
-    }
-
-    /// Sets the alarm for a message that is still on its way.
-    fn expect_letter(&self) {
-        let letters = self.m.row0.mail[self.column].letters.borrow();
-        if let Some((at, _)) = letters.front() {
-            self.m.k.wake(self.tile().task.get(), *at);
-        }
-    }
-
-    /// A message that has arrived by now.
-    fn letter(&self, now: u64) -> Option<u32> {
-        let mut letters = self.m.row0.mail[self.column].letters.borrow_mut();
-        letters.front().filter(|(at, _)| *at <= now)?;
-        letters.pop_front().map(|(_, word)| word)
     }
 
     /// Reads a primitive, numbers it, lets the next tile start, and sends it down.
@@ -276,6 +261,11 @@ impl Stage1 {
         core.state.execute(op, params, &errata);
         core.state.updated = (1u64 << self.m.columns.min(63)) - 1;
         self.m.work(self.tile(), self.m.costs.s1.dispatch);
+        if !self.m.options.early_release {
+            // Before the late fix every change flushed the whole state.
+            let all = self.m.costs.s1.invalidate_word.times(STATE_WORDS as u32);
+            self.m.work(self.tile(), all);
+        }
     }
 
     async fn accept(&mut self, vertices: &[InputVertex]) {
@@ -296,19 +286,32 @@ impl Stage1 {
         if numbered.rolled_over && errata.rollover_keeps_lagged {
             self.flush().await;
         }
+        let (parts, work) = geometry::process(&mut self.state, info, vertices, &errata);
+        let ticket = self.ticket(info.seq_num, unordered, &parts);
         let early = m.options.early_release && !numbered.rolled_over;
-        if early {
+        if early && !m.options.overlap_test {
             self.go_ahead().await;
         }
-        let (parts, work) = geometry::process(&mut self.state, info, vertices, &errata);
         charges::geometry(&m.costs, &work, |burst| m.work(self.tile(), burst));
+        if early && m.options.overlap_test {
+            // Where a primitive lies must be known before the next one is numbered.
+            self.go_ahead().await;
+        }
         m.count(|c| c.drawn_prims += u64::from(work.visible));
-        let further = (parts.len() as u32 - 1) * PART_WORDS;
+        let mut further = (parts.len() as u32 - 1) * PART_WORDS;
+        if m.options.setup_in_stage1 && work.visible {
+            let needs = Interpolants::of(info.mode);
+            for _ in &parts {
+                charges::setup(&m.costs, needs, |burst| m.work(self.tile(), burst));
+                // Three edges and the planes, three words each, instead of positions.
+                further += 3 * needs.planes();
+            }
+        }
         let words = m.options.prim_words(info.mode, PRIM_WORDS) + further;
         m.work(self.tile(), m.costs.s1.send_word.times(words));
         let down = m.tile_number(1, self.column);
         let link = &m.prims[self.column];
-        m.send(self.tile(), link, down, PrimMessage::Prim(parts), words).await;
+        m.send(self.tile(), link, down, PrimMessage::Prim(parts, ticket), words).await;
         if numbered.rolled_over && !errata.rollover_keeps_lagged {
             self.flush().await;
         }
@@ -316,6 +319,21 @@ impl Stage1 {
             self.go_ahead().await;
         }
         self.ready().await;
+    }
+
+    /// The place of a primitive in the order: its sequence number, or where stage 4 keeps track of
+    /// what is finished, what it has to wait for.
+    fn ticket(&self, seq_num: u32, unordered: bool, parts: &[TransPrim]) -> Ticket {
+        let (m, mut tickets) = (&self.m, self.m.tickets.borrow_mut());
+        if !m.options.uses_tickets() {
+            return Ticket { number: u64::from(seq_num), after: u64::from(seq_num) };
+        }
+        if !m.options.overlap_test {
+            return tickets.next(!unordered);
+        }
+        let (ticket, compared) = tickets.next_overlapping(!unordered, Extent::of(parts));
+        m.work(self.tile(), m.costs.s1.compare_extent.times(compared));
+        ticket
     }
 
     /// After a primitive that draws nothing.
@@ -348,18 +366,18 @@ impl Stage1 {
         let m = &self.m;
         m.catch_up(self.tile()).await;
         for other in (0..m.columns).filter(|c| *c != self.column) {
-            m.post(m.k.now(), (0, self.column), other, self.column as u32);
+            m.post(m.k.now(), (0, self.column), (0, other), self.column as u32);
         }
         self.send_flush(self.column).await;
         self.tile().wait.set(Wait::FlushReplies);
         let mut replies = 0;
         while replies < m.columns {
             m.catch_up(self.tile()).await;
-            while self.letter(m.k.now()).is_some() {
+            while m.arrived(0, self.column).is_some() {
                 replies += 1;
             }
             if replies < m.columns {
-                self.expect_letter();
+                m.expect_letter(0, self.column);
                 m.k.suspend().await;
                 self.tile().clock.set(self.tile().clock.get().max(m.k.now()));
             }
@@ -370,7 +388,7 @@ impl Stage1 {
     async fn end_scene(&self) {
         self.flush().await;
         for column in 0..self.m.columns {
-            self.m.post(self.m.k.now(), (0, self.column), column, END_SCENE);
+            self.m.post(self.m.k.now(), (0, self.column), (0, column), END_SCENE);
         }
     }
 }

@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use super::charges;
 use super::machine::{FragMessage, Machine, PrimMessage, Wait};
+use super::ticket::Ticket;
 use crate::stage::TransPrim;
 use crate::stage::raster::Rasterizer;
 
@@ -14,7 +15,7 @@ pub async fn run(m: Rc<Machine>, column: usize) {
         let tile = m.tile(1, column);
         match m.receive(tile, &m.prims[column], Wait::Words(above)).await {
             PrimMessage::Flush(from) => send(&m, column, FragMessage::Flush(from), 2).await,
-            PrimMessage::Prim(parts) => draw(&m, column, &parts).await,
+            PrimMessage::Prim(parts, ticket) => draw(&m, column, &parts, ticket).await,
         }
     }
 }
@@ -26,12 +27,13 @@ async fn send(m: &Machine, column: usize, message: FragMessage, words: u32) {
 }
 
 /// Draws all parts of a primitive as one primitive of the stages below.
-async fn draw(m: &Machine, column: usize, parts: &[TransPrim]) {
+async fn draw(m: &Machine, column: usize, parts: &[TransPrim], ticket: Ticket) {
     let Some(first) = parts.first() else { return };
     let (tile, costs) = (m.tile(1, column), &m.costs);
-    m.work(tile, costs.s2.receive_word.times(40));
     let mode = first.info.mode;
-    send(m, column, FragMessage::Prim(first.info), m.options.info_words(mode, 8)).await;
+    let received = m.options.prim_words(mode, 43).saturating_sub(3);
+    m.work(tile, costs.s2.receive_word.times(received));
+    send(m, column, FragMessage::Prim(first.info, ticket), m.options.info_words(mode, 8)).await;
     for part in parts.iter().filter(|part| part.info.mode.draw() == 1) {
         walk(m, column, part).await;
     }
@@ -43,10 +45,13 @@ async fn walk(m: &Machine, column: usize, part: &TransPrim) {
     let config = m.core.borrow().config;
     let mut walker = Rasterizer::new(part, config.width, config.height, &config.errata);
     let needs = walker.needs();
-    charges::setup(costs, needs, |burst| m.work(tile, burst));
+    let visit = m.options.visit_parts(needs);
+    if !m.options.setup_in_stage1 {
+        charges::setup(costs, needs, |burst| m.work(tile, burst));
+    }
     let mut last = None;
     while let Some(fragment) = walker.next() {
-        charges::walk(costs, walker.take_work(), |burst| m.work(tile, burst));
+        charges::walk(costs, walker.take_work(), visit, |burst| m.work(tile, burst));
         charges::cover(costs, needs, |burst| m.work(tile, burst));
         m.count(|c| c.frags += 1);
         let follows = last.replace((fragment.x, fragment.y))
@@ -54,5 +59,5 @@ async fn walk(m: &Machine, column: usize, part: &TransPrim) {
         let words = m.options.fragment_words(needs, follows);
         send(m, column, FragMessage::Frag(fragment), words).await;
     }
-    charges::walk(costs, walker.take_work(), |burst| m.work(tile, burst));
+    charges::walk(costs, walker.take_work(), visit, |burst| m.work(tile, burst));
 }

@@ -8,12 +8,13 @@ use super::charges;
 use super::cost::Burst;
 use super::machine::{Machine, PixelMessage, Tile, Wait};
 use crate::color;
+use crate::stage::composite::Outcome;
 use crate::stage::{Fragment, composite};
 use crate::state::ModeBits;
 
 /// The interrupt handler of a column: keeps the token when the program wants it, else passes it on.
 pub async fn handler(m: Rc<Machine>, column: usize) {
-    let post = &m.tokens[column];
+    let post = m.token(0, column);
     loop {
         match post.incoming.get().filter(|(at, _)| *at <= m.k.now()) {
             None => {
@@ -29,6 +30,10 @@ pub async fn handler(m: Rc<Machine>, column: usize) {
                     post.granted.set(Some(value));
                     m.k.wake(tile.task.get(), m.k.now());
                 } else {
+                    if !m.options.early_release {
+                        // Before the late fix this time counted as active.
+                        m.account(tile, 100 * u64::from(m.costs.interrupt));
+                    }
                     // The handler takes its time from whatever the program is busy with.
                     if tile.clock.get() > m.k.now() {
                         tile.clock.set(tile.clock.get() + u64::from(m.costs.interrupt));
@@ -45,8 +50,7 @@ struct Stage4 {
     column: usize,
     mode: ModeBits,
     seq: u32,
-    /// The depth line in the cache, when bursts share invalidation.
-    line: u64,
+    line: DepthLine,
 }
 
 /// What a wait for input or token ended with.
@@ -58,12 +62,13 @@ enum Arrival {
 /// Runs a stage-4 tile for good.
 pub async fn run(m: Rc<Machine>, column: usize) {
     let mode = ModeBits::default();
-    let mut tile = Stage4 { m, column, mode, seq: 0, line: u64::MAX };
+    let mut tile = Stage4 { m, column, mode, seq: 0, line: DepthLine::default() };
     loop {
         match tile.receive().await {
-            PixelMessage::Flush(from) => tile.answer_flush(from).await,
-            PixelMessage::Prim(mode, seq) => {
-                (tile.mode, tile.seq) = (mode, seq);
+            PixelMessage::Flush(from) => answer_flush(&tile.m, column, from).await,
+            PixelMessage::Prim(mode, ticket) => {
+                // The thesis's number, which a count of finished primitives is compared with.
+                (tile.mode, tile.seq) = (mode, ticket.number as u32);
                 tile.primitive().await;
             }
             // Fragments and ends are read inside a primitive.
@@ -91,11 +96,6 @@ impl Stage4 {
             }
             _ => None,
         }
-    }
-
-    async fn answer_flush(&self, from: usize) {
-        self.m.catch_up(self.tile()).await;
-        self.m.post(self.m.k.now(), (3, self.column), from, 0);
     }
 
     async fn primitive(&mut self) {
@@ -181,7 +181,7 @@ impl Stage4 {
         tile.wait.set(Wait::Words(self.m.tile_number(2, self.column)));
         loop {
             self.m.catch_up(tile).await;
-            if let Some(value) = self.m.tokens[self.column].granted.take() {
+            if let Some(value) = self.m.token(0, self.column).granted.take() {
                 if usable && value >= self.seq {
                     tile.wait.set(Wait::Nothing);
                     return Arrival::Token(value);
@@ -204,12 +204,12 @@ impl Stage4 {
     /// Asks the handler to keep the token when it comes.
     async fn want(&self) {
         self.m.catch_up(self.tile()).await;
-        self.m.tokens[self.column].wanted.set(true);
+        self.m.token(0, self.column).wanted.set(true);
     }
 
     async fn hand_on(&self, value: u32) {
         self.m.pass_token(self.column, value);
-        self.m.tokens[self.column].wanted.set(true);
+        self.m.token(0, self.column).wanted.set(true);
     }
 
     /// Asks for the token and waits for it.
@@ -224,7 +224,7 @@ impl Stage4 {
         tile.wait.set(Wait::Token(self.seq));
         loop {
             self.m.catch_up(tile).await;
-            if let Some(value) = self.m.tokens[self.column].granted.take() {
+            if let Some(value) = self.m.token(0, self.column).granted.take() {
                 if value == self.seq || (or_later && value > self.seq) {
                     tile.wait.set(Wait::Nothing);
                     return value;
@@ -238,7 +238,7 @@ impl Stage4 {
 
     /// Passes the token on.
     async fn give(&mut self, value: u32) {
-        self.line = u64::MAX;
+        self.line.forget();
         self.m.work(self.tile(), Burst::new(self.m.costs.s4.hand_over, 0));
         self.m.catch_up(self.tile()).await;
         self.m.pass_token(self.column, value);
@@ -246,36 +246,86 @@ impl Stage4 {
 
     /// Draws a fragment; the token is held.
     fn draw(&mut self, fragment: &Fragment) {
-        if !visible(fragment) {
-            return;
+        if visible(fragment) {
+            draw(&self.m, (self.column, 0), self.mode, fragment, &mut self.line);
         }
-        let m = Rc::clone(&self.m);
-        let tile = m.tile(3, self.column);
-        let (outcome, address) = {
-            let mut core = m.core.borrow_mut();
-            let errata = core.config.errata;
-            let outcome = composite::process(&mut core.target, self.mode, fragment, &errata);
-            (outcome, core.target.frame.address(fragment.x, fragment.y))
-        };
-        m.work(tile, m.costs.s4.pixel);
-        charges::composite(&m.costs, &outcome, |burst| m.work(tile, burst));
-        if outcome.tested {
-            self.fetch_depth(tile, address / super::cache::LINE_WORDS);
-        }
-        m.work(tile, Burst::new(m.costs.s4.round_trip * outcome.page_reads, 0));
-        m.count(|c| c.pixels += u64::from(outcome.page_writes));
-    }
-
-    /// Every depth is invalidated before it is read, unless a burst shares one invalidation.
-    fn fetch_depth(&mut self, tile: &Tile, line: u64) {
-        let cached = self.m.options.z_once_per_burst && self.line == line;
-        if !cached {
-            self.m.fetch_line(tile, 3, self.m.costs.s4.z_miss);
-        }
-        self.line = line;
     }
 }
 
-fn visible(fragment: &Fragment) -> bool {
+/// Tells who asked that this column is empty.
+pub async fn answer_flush(m: &Machine, column: usize, from: usize) {
+    m.catch_up(m.tile(3, column)).await;
+    m.post(m.k.now(), (3, column), (0, from), 0);
+}
+
+/// The line of depths that a tile has fetched, where bursts share one invalidation.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct DepthLine(Option<u64>);
+
+impl DepthLine {
+    /// Drops it: the next depth is fetched.
+    pub fn forget(&mut self) {
+        self.0 = None;
+    }
+
+    /// Fetches the line of a depth through the port of its bank. Every depth is invalidated before
+    /// it is read, unless a burst shares one invalidation.
+    pub fn fetch(&mut self, m: &Machine, tile: &Tile, bank: usize, address: u64) {
+        let line = address / super::cache::LINE_WORDS;
+        if !(m.options.z_once_per_burst && self.0 == Some(line)) {
+            m.fetch_line(tile, 3 + bank, m.costs.s4.z_miss);
+        }
+        self.0 = Some(line);
+    }
+}
+
+/// Draws a fragment on the tile of a column, for a bank whose token is held.
+pub fn draw(
+    m: &Machine,
+    (column, bank): (usize, usize),
+    mode: ModeBits,
+    fragment: &Fragment,
+    line: &mut DepthLine,
+) {
+    let tile = m.tile(3, column);
+    let (outcome, address) = {
+        let mut core = m.core.borrow_mut();
+        let errata = core.config.errata;
+        let outcome = composite::process(&mut core.target, mode, fragment, &errata);
+        (outcome, core.target.frame.address(fragment.x, fragment.y))
+    };
+    m.work(tile, m.costs.s4.pixel);
+    charges::composite(&m.costs, &outcome, |burst| m.work(tile, burst));
+    if outcome.tested {
+        line.fetch(m, tile, bank, address);
+    }
+    m.work(tile, Burst::new(m.costs.s4.round_trip * outcome.page_reads, 0));
+    send_pixels(m, tile, (bank, column), &outcome);
+    m.count(|c| c.pixels += u64::from(outcome.page_writes));
+}
+
+/// Words of a message to the frame-buffer controller: header, address, colour.
+const PIXEL_WORDS: u64 = 3;
+/// Cycles of work that may wait at a port of the controller before senders are held up.
+const PORT_QUEUE: u64 = 16;
+
+/// Sends the writes of a fragment to the controller's port for a bank. The controller takes a cycle
+/// for a word and one for an access; a sender that is too fast for it, or for the network, waits.
+pub fn send_pixels(m: &Machine, tile: &Tile, (bank, column): (usize, usize), outcome: &Outcome) {
+    let port = bank * m.columns / m.banks;
+    for _ in 0..outcome.page_writes {
+        let sent = tile.clock.get();
+        let arrival = m.gdn.send(sent, (3, column), (4, port), PIXEL_WORDS);
+        let busy = &m.controllers[bank];
+        busy.set(busy.get().max(arrival) + PIXEL_WORDS);
+        let held_up = busy.get().saturating_sub(arrival + PIXEL_WORDS + PORT_QUEUE);
+        // What the network alone delays shows once its queues are full, too.
+        let late = arrival.saturating_sub(sent + PORT_QUEUE + 2 * m.columns as u64);
+        tile.clock.set(sent + held_up.max(late));
+    }
+}
+
+/// Whether a fragment is drawn at all.
+pub fn visible(fragment: &Fragment) -> bool {
     color::low(fragment.rgba) != 0
 }

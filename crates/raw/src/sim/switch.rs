@@ -155,16 +155,19 @@ impl Switch {
 
     async fn turn(&self) -> SwitchState {
         let row = &self.m.row0;
-        // The processor changes `ready` at its own time: look at it at the switch's.
-        self.m.k.catch_up(self.task, &self.clock).await;
         if self.column == 0 {
             self.sleep_while_all_busy().await;
         }
-        if row.ready[self.column].get() {
+        row.offered[self.column].set(self.clock.get());
+        if self.is_ready().await {
+            row.all_passed.set(false);
             if self.column > 0 {
                 self.put(&row.west[self.column - 1], 1).await;
             }
             return SwitchState::Active;
+        }
+        if self.column == 0 {
+            row.all_passed.set(true);
         }
         if !self.last() {
             self.put(&row.east[self.column], Word::control(0)).await;
@@ -172,23 +175,46 @@ impl Switch {
         if self.column > 0 {
             self.put(&row.west[self.column - 1], 0).await;
         }
-        if self.last() { SwitchState::Idle } else { SwitchState::Counting(1) }
+        match (self.last(), self.column) {
+            // Alone, it offers the turn to itself again.
+            (true, 0) => SwitchState::Turn,
+            (true, _) => SwitchState::Idle,
+            (false, _) => SwitchState::Counting(1),
+        }
     }
 
-    /// While no processor is ready the offer would only circle; skip those cycles. It resumes at a
-    /// whole number of rounds.
+    /// Whether the processor can take a primitive at the switch's time.
+    async fn is_ready(&self) -> bool {
+        let row = &self.m.row0;
+        if self.clock.get() < row.busy_until.get() {
+            return false;
+        }
+        self.m.k.catch_up(self.task, &self.clock).await;
+        row.ready[self.column].get()
+    }
+
+    /// While no processor is ready the offer only circles. When one becomes ready, the circle then
+    /// under way is gone through again from its start, so that the offer reaches the processor when
+    /// it would have; until now everybody was busy.
     async fn sleep_while_all_busy(&self) {
         let row = &self.m.row0;
-        if row.ready.iter().any(Cell::get) {
+        let since = self.clock.get();
+        let circle = since.saturating_sub(row.offered[0].get());
+        let circled = self.m.columns > 1 && circle > 0 && row.all_passed.get();
+        if row.ready.iter().any(Cell::get) || !(circled || self.m.columns == 1) {
             return;
         }
-        let since = self.clock.get();
         while !row.ready.iter().any(Cell::get) {
             row.sleeping_offer.set(Some(self.task));
             self.m.k.suspend().await;
         }
-        let round = 4 * self.m.columns as u64;
-        self.clock.set(since + (self.m.k.now() - since).next_multiple_of(round));
-        self.m.k.catch_up(self.task, &self.clock).await;
+        let now = self.m.k.now();
+        if self.m.columns == 1 {
+            self.clock.set(since.max(now));
+            return;
+        }
+        let whole_circles = now.saturating_sub(since) / circle * circle;
+        self.clock.set(since + whole_circles);
+        row.busy_until.set(now);
     }
 }

@@ -2,7 +2,7 @@
 
 use fillrate_raw::bench::bands::{bands, shapes};
 use fillrate_raw::bench::run::{self, Outcome, Setting, Test};
-use fillrate_raw::bench::{HERTZ, figures, vectors};
+use fillrate_raw::bench::{HERTZ, figures, gains, vectors};
 use fillrate_raw::sim::Options;
 
 fn measure(line: usize, scale: f32, options: Options) -> Outcome {
@@ -47,9 +47,8 @@ fn late_token_serialises_stage_1() {
     let early = measure(0, 0.01, Options::default());
     assert!(late.grid.triangle_rate(HERTZ) < 0.75 * early.grid.triangle_rate(HERTZ));
     let stage1 = 100.0 * late.grid.utilisation(4)[0];
-    // One tile at a time: a quarter of its active share. The thesis saw about 25 percent with an
-    // older stage 1 that also spent active cycles on more flushing, which is not modelled.
-    assert!((12.0..30.0).contains(&stage1), "{stage1}");
+    // One tile at a time, so at most a quarter; the thesis saw about that much.
+    assert!((15.0..=25.0).contains(&stage1), "{stage1}");
 }
 
 #[test]
@@ -62,4 +61,35 @@ fn depth_bursts_raise_the_pixel_rate() {
 #[test]
 fn runs_repeat_exactly() {
     assert_eq!(measure(6, 0.2, Options::default()), measure(6, 0.2, Options::default()));
+}
+
+#[test]
+fn improvements_gain_and_the_array_scales() {
+    let gains = gains::measure().expect("no machine gets stuck");
+    assert!(gains.switches.iter().chain(&gains.scaling).all(|row| row.same_pictures));
+    let row = |name: &str| {
+        let row = gains.switches.iter().find(|row| row.name == name).expect("a row");
+        row.speed_ups.clone()
+    };
+    let thesis = row("as in the thesis");
+    for (name, mode, factor) in [
+        ("z_once_per_burst", "flat colour", 1.15),
+        ("overlap_test", "transparent", 1.02),
+        ("pixel_pipeline", "flat colour", 1.5),
+        ("banked", "flat colour", 1.8),
+        ("banked + overlap_test", "transparent", 2.0),
+        ("all but pixel_pipeline", "everything on", 1.03),
+    ] {
+        let at = gains::MODES.iter().position(|m| *m == mode).expect("a mode");
+        assert!(row(name)[at] > factor * thesis[at], "{name}: {:?}", row(name));
+    }
+    let scaling = |tiles: &str| {
+        let row = gains.scaling.iter().find(|row| row.name == tiles).expect("a row");
+        row.speed_ups.clone()
+    };
+    // The target: ten times one tile on sixteen, with and without depth, and on to sixty-four.
+    assert!(scaling("16 tiles")[0] >= 10.0 && scaling("16 tiles")[4] >= 10.0);
+    for (sixteen, sixty_four) in scaling("16 tiles").iter().zip(scaling("64 tiles")) {
+        assert!(sixty_four > 3.0 * sixteen, "{sixteen} to {sixty_four}");
+    }
 }

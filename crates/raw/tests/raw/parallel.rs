@@ -1,5 +1,7 @@
 //! The grid draws what the single tile draws.
 
+use fillrate_raw::call::Call;
+use fillrate_raw::client::Client;
 use fillrate_raw::opcode::Opcode;
 use fillrate_raw::sim::cost::COSTS;
 use fillrate_raw::sim::{self, Options};
@@ -65,4 +67,90 @@ fn faithful_roll_over_hangs_and_says_who_waits() {
     })
     .expect_err("unordered primitives wait for a number that never comes");
     assert!(stuck.waits.contains("(stage 4) waits for the token"), "{stuck}");
+}
+
+/// Every switch alone, all that improve, and the pixel pipelines with them.
+fn machines(columns: usize) -> Vec<(String, Options)> {
+    let base = Options { columns, ..Options::default() };
+    let mut machines = vec![("improved".to_owned(), Options::improved(columns))];
+    for name in Options::NAMES {
+        let mut options = base;
+        options.set(name, *name != "early_release");
+        machines.push(((*name).to_owned(), options));
+    }
+    let piped = Options { pixel_pipeline: true, ..Options::improved(columns) };
+    machines.push(("piped".to_owned(), piped));
+    machines
+}
+
+#[test]
+fn every_switch_draws_the_same_picture() {
+    let scenes = [
+        scene(|_| {}, scenes::order_test),
+        pattern(0.2, 0x88, &[]),
+        pattern(0.05, 0xff, &[(Opcode::SetNoUseZ, 1)]),
+        scene(scenes::cube_view, scenes::nine_cubes),
+    ];
+    for records in &scenes {
+        let single = on_single(records);
+        for columns in [1, 4, 6, 9] {
+            for (name, options) in machines(columns) {
+                let run = sim::play(Config::default(), COSTS, options, records, |_| {});
+                let run = run.unwrap_or_else(|stuck| panic!("{name}, {columns}: {stuck}"));
+                assert!(run.core.target == single.core().target, "{name} on {columns} columns");
+                let primitives = run.accepted.len() as u32;
+                assert_eq!(run.token, Some(primitives + 1), "{name} on {columns} columns");
+            }
+        }
+    }
+}
+
+#[test]
+fn uploads_stay_in_the_caches_of_the_listing() {
+    let square = |client: &mut Client| {
+        client.call(&Call::BeginScene {});
+        client.call(&Call::BeginPrim {});
+        for ([x, y], uv) in [([-1., -1.], [0., 0.]), ([1., -1.], [1., 0.]), ([-1., 1.], [0., 1.])] {
+            client.vertex([x, y, 0.0], uv);
+        }
+        client.call(&Call::EndPrim {});
+        client.call(&Call::EndScene {});
+    };
+    let mut client = Client::new(Errata::CORRECT);
+    client.call(&Call::AllocateTexture { width: 4, height: 4 });
+    client.set(Opcode::SetTexMode, 2);
+    for texel in [0x1122_33ff, 0x4455_66ff] {
+        client.call(&Call::UploadTexture { id: 0, texels: vec![texel; 16] });
+        square(&mut client);
+        square(&mut client);
+    }
+    let records = client.take_records();
+    let listing = Errata { uploads_stay_cached: true, ..Errata::CORRECT };
+    for (errata, color) in [(Errata::CORRECT, 0x4455_6600), (listing, 0x1122_3300)] {
+        let config = Config { errata, ..Config::default() };
+        let options = Options { columns: 1, ..Options::default() };
+        let run = sim::play(config, COSTS, options, &records, |_| {}).expect("runs");
+        assert_eq!(run.core.target.frame.read(0, false), color);
+        // One tile has one cache, and the manager writes through it.
+        let (device, _) = sim::single::play(config, COSTS, &records);
+        assert_eq!(device.core().target.frame.read(0, false), 0x4455_6600);
+    }
+}
+
+#[test]
+fn large_triangles_without_pixels_are_no_deadlock() {
+    // The box is searched in vain for millions of cycles, while only the token moves.
+    let config = Config::default().sized(2048, 2048);
+    let records = scene(
+        |_| {},
+        |client| {
+            client.call(&Call::BeginPrim {});
+            for [x, y] in [[-1.0, -1.0], [1.0, 1.0], [0.9999, 1.0]] {
+                client.vertex([x, y, 0.0], [0.0; 2]);
+            }
+            client.call(&Call::EndPrim {});
+        },
+    );
+    let run = sim::play(config, COSTS, Options::default(), &records, |_| {}).expect("no deadlock");
+    assert_eq!(run.token, Some(2));
 }

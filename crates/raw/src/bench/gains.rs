@@ -1,0 +1,182 @@
+//! What each improvement gains, and how far the array goes.
+//!
+//! Beyond the thesis: its chapter 6 names the improvements but measures none. Each is switched on
+//! alone, then all together; then the improved machine grows from one column to sixteen. The single
+//! tile that everything is compared with is the one of the thesis.
+
+use super::run::{Setting, Test, compare};
+use super::vectors::{CHARTED, set_up};
+use crate::call::Call;
+use crate::client::Client;
+use crate::errata::Errata;
+use crate::protocol::Record;
+use crate::sim::{Deadlock, Options};
+
+/// Lines of the charts that the gains are shown for: titles as in [`CHARTED`].
+pub const MODES: [&str; 5] = [
+    "flat colour",
+    "bilinear texture",
+    "everything on",
+    "transparent",
+    "flat colour, no z, unordered",
+];
+
+/// Columns of the machines that the scaling is shown for; each has four tiles.
+pub const SIZES: [usize; 5] = [1, 2, 4, 8, 16];
+
+/// Triangles of the scene, and the pixels of each: moderate sizes, as many as 64 tiles can share.
+const GRID: [u32; 2] = [20, 16];
+/// A triangle's legs in pixels of the 320x240 screen.
+const LEG: f32 = 24.0;
+/// Steps from triangle to triangle; shares no factor with their number.
+const STRIDE: u32 = 83;
+
+/// Speed-ups over the thesis's single tile, one for each of [`MODES`], and whether all pictures are
+/// those of the single tile.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// What is switched on, or how many tiles there are.
+    pub name: String,
+    /// Speed-up by mode.
+    pub speed_ups: Vec<f64>,
+    /// Every picture is the single tile's.
+    pub same_pictures: bool,
+}
+
+/// Both tables.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gains {
+    /// Sixteen tiles: as in the thesis, with each improvement alone, with the useful combinations.
+    pub switches: Vec<Row>,
+    /// All improvements on 4 to 64 tiles.
+    pub scaling: Vec<Row>,
+}
+
+/// The machines of the first table.
+fn machines() -> Vec<(String, Options)> {
+    let thesis = Options::default();
+    let with = |names: &[&str]| {
+        let mut options = thesis;
+        for name in names {
+            options.set(name, true);
+        }
+        (names.join(" + "), options)
+    };
+    let mut machines = vec![("as in the thesis".to_owned(), thesis)];
+    // The first switch is on in the thesis.
+    machines.extend(Options::NAMES[1..].iter().map(|name| with(&[name])));
+    machines.push(with(&["pixel_pipeline", "overlap_test"]));
+    machines.push(with(&["banked", "overlap_test"]));
+    machines.push(("all but pixel_pipeline".to_owned(), Options::improved(4)));
+    machines
+}
+
+/// Measures both tables.
+///
+/// # Errors
+/// A machine got stuck.
+pub fn measure() -> Result<Gains, Deadlock> {
+    let switches = machines().into_iter().map(|(name, options)| row(name, options));
+    let scaling = SIZES
+        .into_iter()
+        .map(|columns| row(format!("{} tiles", 4 * columns), Options::improved(columns)));
+    Ok(Gains {
+        switches: switches.collect::<Result<_, _>>()?,
+        scaling: scaling.collect::<Result<_, _>>()?,
+    })
+}
+
+fn row(name: String, options: Options) -> Result<Row, Deadlock> {
+    let mut row = Row { name, speed_ups: Vec::new(), same_pictures: true };
+    for title in MODES {
+        let line = CHARTED.iter().find(|line| line.title == title).expect("modes are charted");
+        let (outer, inner) = line.vectors();
+        let setting = Setting { options, ..Setting::default() };
+        let test = Test { outer, inner, scale: 1.0 };
+        let outcome = compare(test, &setting, &records(&test))?;
+        row.speed_ups.push(outcome.speed_up());
+        row.same_pictures &= outcome.same_picture;
+    }
+    Ok(row)
+}
+
+/// The scene: a field of equal triangles, each overlapping its right neighbour.
+fn records(test: &Test) -> Vec<Record> {
+    let mut client = Client::new(Errata::CORRECT);
+    client.meta(Record::PerfReset);
+    set_up(&mut client, test.outer, test.inner);
+    client.meta(Record::PerfStart);
+    client.call(&Call::BeginScene {});
+    let count = GRID[0] * GRID[1];
+    for index in 0..count {
+        // Far apart in time what is close on the screen, as between the objects of a scene.
+        let place = index * STRIDE % count;
+        triangle(&mut client, [place % GRID[0], place / GRID[0]], index, test.inner.alpha);
+    }
+    client.call(&Call::EndScene {});
+    client.meta(Record::PerfStop);
+    client.take_records()
+}
+
+fn triangle(client: &mut Client, [column, row]: [u32; 2], index: u32, alpha: u32) {
+    let (left, top) = (column as f32 * 15.0 + 3.0, row as f32 * 13.5 + 2.0);
+    // No two depths are equal, so that the picture does not depend on the order.
+    let z = index as f32 / 1000.0;
+    let at = |x: f32, y: f32| [x / 160.0 - 1.0, y / 120.0 - 1.0, z];
+    client.call(&Call::BeginPrim {});
+    // Every fourth triangle changes the state, as a mesh of few colours does.
+    if index.is_multiple_of(4) {
+        client.color(12 * column, 15 * row, 200 - 4 * column, alpha);
+    }
+    client.vertex(at(left, top), [0.0, 0.0]);
+    client.vertex(at(left + LEG, top), [1.0, 0.0]);
+    client.vertex(at(left, top + LEG), [0.0, 1.0]);
+    client.call(&Call::EndPrim {});
+}
+
+/// Both tables as text.
+pub fn table(gains: &Gains) -> String {
+    let mut out = String::new();
+    for (title, rows) in [
+        ("sixteen tiles, speed-up over one", &gains.switches),
+        ("all improvements, speed-up over one tile", &gains.scaling),
+    ] {
+        out += &format!("{title:<44}");
+        MODES
+            .iter()
+            .for_each(|mode| out += &format!("{:>17}", mode.chars().take(16).collect::<String>()));
+        out.push('\n');
+        for row in rows {
+            out += &format!("{:<44}", row.name);
+            row.speed_ups.iter().for_each(|speed| out += &format!("{speed:>17.2}"));
+            out += if row.same_pictures { "\n" } else { "  pictures differ\n" };
+        }
+        out.push('\n');
+    }
+    out
+}
+
+/// Both tables as an HTML page.
+pub fn page(gains: &Gains) -> String {
+    let mut out = String::from(
+        "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>Raw: gains</title>\
+         <style>body{font:15px sans-serif;max-width:1100px;margin:auto}td,th{padding:2px 10px;\
+         text-align:right}td:first-child{text-align:left}</style>\
+         <h1>What each improvement gains</h1><p>Speed-up over the single tile of the thesis, 320 \
+         triangles of 288 pixels.</p>",
+    );
+    for (title, rows) in [
+        ("Sixteen tiles", &gains.switches),
+        ("All improvements but the pixel pipeline", &gains.scaling),
+    ] {
+        out += &format!("<h2>{title}</h2><table><tr><th></th>");
+        MODES.iter().for_each(|mode| out += &format!("<th>{mode}</th>"));
+        for row in rows {
+            out += &format!("</tr><tr><td>{}</td>", row.name);
+            row.speed_ups.iter().for_each(|speed| out += &format!("<td>{speed:.2}</td>"));
+        }
+        out += "</tr></table>";
+    }
+    out += "</html>\n";
+    out
+}
