@@ -17,9 +17,6 @@ use crate::translate::{draw_state, uses_texel};
 use crate::variables::Variables;
 use crate::vertex::VertexRules;
 
-/// A draw state and the textures of its units.
-pub type EngineState = (DrawState, [Option<Arc<Texture>>; MAX_TMUS]);
-
 /// What a texture unit's registers do not say.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct UnitSettings {
@@ -223,8 +220,8 @@ impl Board {
         };
     }
 
-    /// What the registers mean to the engine.
-    pub fn engine_state(&mut self) -> EngineState {
+    /// The state and textures that [`Board::update`] tells the engine.
+    pub fn engine_state(&mut self) -> (DrawState, [Option<Arc<Texture>>; MAX_TMUS]) {
         let state = draw_state(&self.fbi, &self.tmus, &self.fog_table);
         let textures = self.textures(&state);
         (state, textures)

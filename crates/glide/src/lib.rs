@@ -13,6 +13,7 @@
 pub mod card;
 pub mod enums;
 pub mod gu;
+pub mod rules;
 pub mod texture;
 
 mod board;
@@ -37,7 +38,6 @@ mod translate;
 mod variables;
 mod vertex;
 
-pub use board::EngineState;
 pub use buffers::Shown;
 pub use call::Call;
 pub use context::{Context, GlideConfig, MAX_BOARDS};

@@ -5,6 +5,7 @@ use fillrate_engine::{Counters, DeviceConfig};
 use fillrate_glide::{Call, Context, GlideConfig, GrVertex, gu};
 use fillrate_player::{Frame, Pixels};
 
+use super::drawing::Drawing;
 use super::scene;
 use super::size::Size;
 use super::workload::{Kind, Workload};
@@ -15,6 +16,7 @@ const CLEAR: Call = Call::GrBufferClear { color: 0, alpha: 0, depth: 0xffff };
 /// An open board in a workload's state.
 pub struct Board {
     workload: Workload,
+    size: Size,
     context: Context,
     vertices: Vec<GrVertex>,
 }
@@ -31,7 +33,7 @@ impl Board {
     pub fn open(workload: Workload, size: Size, device: DeviceConfig) -> Result<Board> {
         let resolution = size.resolution().context("no board shows this size")?;
         let context = Context::new(GlideConfig { device, ..GlideConfig::default() })?;
-        let mut board = Board { workload, context, vertices: Vec::new() };
+        let mut board = Board { workload, size, context, vertices: Vec::new() };
         board.set(&[Call::GrGlideInit {}]);
         let open = Call::GrSstWinOpen {
             window: 0,
@@ -52,34 +54,6 @@ impl Board {
     /// The library.
     pub fn context(&mut self) -> &mut Context {
         &mut self.context
-    }
-
-    /// Draws and shows a frame.
-    pub fn frame(&mut self) {
-        if self.workload.uses_depth() {
-            // A clear obeys the depth mask.
-            let written = i32::from(self.workload.writes_depth());
-            self.set(&[Call::GrDepthMask { mask: 1 }, CLEAR, Call::GrDepthMask { mask: written }]);
-        }
-        let flat = self.workload.kind == Kind::Flat;
-        for (i, [a, b, c]) in self.vertices.as_chunks().0.iter().enumerate() {
-            if flat && i % 2 == 0 {
-                self.context.execute(&constant_color(i / 2));
-            }
-            self.context.draw_triangle(a, b, c);
-        }
-        self.set(&[Call::GrBufferSwap { interval: 0 }]);
-    }
-
-    /// The picture shown.
-    pub fn picture(&mut self) -> Result<Frame> {
-        let shown = self.context.shown().context("nothing is shown")?;
-        Ok(Frame::new(shown.width, shown.height, Pixels::Rgb565(shown.pixels))?)
-    }
-
-    /// What was drawn since the board was opened.
-    pub fn counters(&mut self) -> Counters {
-        self.context.total_counters()
     }
 
     fn set(&mut self, calls: &[Call]) {
@@ -179,6 +153,37 @@ impl Board {
             Call::GrTexFilterMode { tmu, minify: 1, magnify: 1 },
             Call::GrTexClampMode { tmu, s: 0, t: 0 },
         ]);
+    }
+}
+
+impl Drawing for Board {
+    fn frame(&mut self) {
+        if self.workload.uses_depth() {
+            // A clear obeys the depth mask.
+            let written = i32::from(self.workload.writes_depth());
+            self.set(&[Call::GrDepthMask { mask: 1 }, CLEAR, Call::GrDepthMask { mask: written }]);
+        }
+        let flat = self.workload.kind == Kind::Flat;
+        for (i, [a, b, c]) in self.vertices.as_chunks().0.iter().enumerate() {
+            if flat && i % 2 == 0 {
+                self.context.execute(&constant_color(i / 2));
+            }
+            self.context.draw_triangle(a, b, c);
+        }
+        self.set(&[Call::GrBufferSwap { interval: 0 }]);
+    }
+
+    fn count(&self) -> f64 {
+        self.workload.count(self.size)
+    }
+
+    fn picture(&mut self) -> Result<Frame> {
+        let shown = self.context.shown().context("nothing is shown")?;
+        Ok(Frame::new(shown.width, shown.height, Pixels::Rgb565(shown.pixels))?)
+    }
+
+    fn counters(&mut self) -> Counters {
+        self.context.total_counters()
     }
 }
 

@@ -9,8 +9,8 @@ use serde::Serialize;
 
 use super::chart::{Chart, Line};
 use super::digest::Digests;
+use super::drawing::{self, Drawing};
 use super::measure::Job;
-use super::prepared::Prepared;
 use super::size::Size;
 use super::workload::{Kind, Workload};
 
@@ -120,13 +120,8 @@ impl Curves<'_> {
             let first = points.len();
             for threads in THREADS {
                 let device = DeviceConfig { threads, ..self.device.clone() };
-                let job = Job {
-                    workload: named(name),
-                    size: SCREEN,
-                    device: &device,
-                    texture_side: None,
-                };
-                let point = self.point("threads", name, threads as f64, &job)?;
+                let job = drawing::job(named(name), SCREEN, None);
+                let point = self.point("threads", name, threads as f64, &job, &device)?;
                 let one = points.get(first).unwrap_or(&point);
                 if (one.pixels, one.triangles) != (point.pixels, point.triangles) {
                     bail!("{name}: {threads} threads count {point:?}, one counts {one:?}");
@@ -142,9 +137,8 @@ impl Curves<'_> {
         for name in ["W1_fill_flat", "W2_gouraud_z_b2f", "W3_tex_bilin_z_b2f", "W4_tex_blend"] {
             for side in SIDES {
                 let size = Size::square(side);
-                let job =
-                    Job { workload: named(name), size, device: &self.device, texture_side: None };
-                points.push(self.point("resolution", name, f64::from(side), &job)?);
+                let job = drawing::job(named(name), size, None);
+                points.push(self.point("resolution", name, f64::from(side), &job, &self.device)?);
             }
         }
         Ok(points)
@@ -160,15 +154,15 @@ impl Curves<'_> {
                 kind: Kind::Triangles { count, area },
                 front_to_back: false,
             };
-            let job = Job { workload, size: SCREEN, device: &self.device, texture_side: None };
-            let mut point = self.point("triangles", line, 0.0, &job)?;
+            let job = drawing::job(workload, SCREEN, None);
+            let mut point = self.point("triangles", line, 0.0, &job, &self.device)?;
             // Large ones reach beyond the screen: what counts is what is seen.
             point.x = point.pixels as f64 / point.triangles.max(1) as f64;
             points.push(point);
         }
         let workload = named("W3_tex_bilin_z_b2f");
-        let job = Job { workload, size: SCREEN, device: &self.device, texture_side: None };
-        let mut screen = self.point("triangles", line, 0.0, &job)?;
+        let job = drawing::job(workload, SCREEN, None);
+        let mut screen = self.point("triangles", line, 0.0, &job, &self.device)?;
         screen.x = screen.pixels as f64 / screen.triangles as f64;
         screen.ns = 1e9 / screen.frames / screen.triangles as f64;
         screen.unit = "triangle";
@@ -181,34 +175,38 @@ impl Curves<'_> {
         let mut points = Vec::new();
         for name in ["W3_tex_bilin_z_b2f", "W4_tex_blend"] {
             for side in TEXTURES {
-                let workload = named(name);
-                let job =
-                    Job { workload, size: SCREEN, device: &self.device, texture_side: Some(side) };
-                points.push(self.point("textures", name, f64::from(side), &job)?);
+                let job = drawing::job(named(name), SCREEN, Some(side));
+                points.push(self.point("textures", name, f64::from(side), &job, &self.device)?);
             }
         }
         Ok(points)
     }
 
-    fn point(&self, curve: &'static str, line: &str, x: f64, job: &Job<'_>) -> Result<Point> {
-        let mut checked = job.check(self.digests)?;
-        let counted = frame_counters(&mut checked.prepared);
-        let (cpu, frames) = (cpu_seconds(), checked.frames);
-        let measured = job.time(&mut checked, self.runs)?;
-        let drawn = (checked.frames - frames) as f64;
-        let count = job.workload.count(job.size);
+    fn point(
+        &self,
+        curve: &'static str,
+        line: &str,
+        x: f64,
+        job: &Job,
+        device: &DeviceConfig,
+    ) -> Result<Point> {
+        let mut checked = job.check(device, self.digests)?;
+        let counted = frame_counters(&mut *checked.drawing);
+        let before = cpu_seconds();
+        let measured = job.time(&mut checked, device, self.runs)?;
+        let spent = before.zip(cpu_seconds()).map(|(from, to)| to - from);
+        let count = checked.drawing.count();
         let rate = measured.median * 1e6 / count;
-        let triangles = job.workload.unit() == "Mtri/s";
         Ok(Point {
             curve,
             line: line.into(),
             x,
-            threads: job.device.threads,
-            simd: job.device.level.name(),
+            threads: device.threads,
+            simd: device.level.name(),
             frames: rate,
             ns: 1e9 / rate / count,
-            unit: if triangles { "triangle" } else { "pixel" },
-            cpu_ms: cpu.zip(cpu_seconds()).map(|(from, to)| (to - from) * 1e3 / drawn),
+            unit: if job.unit == "Mtri/s" { "triangle" } else { "pixel" },
+            cpu_ms: spent.map(|seconds| seconds * 1e3 / checked.frames as f64),
             pixels: counted.pixels_in,
             triangles: counted.triangles_drawn,
             digest: checked.digest,
@@ -221,10 +219,10 @@ fn named(name: &str) -> Workload {
 }
 
 /// What one frame counts.
-fn frame_counters(prepared: &mut Prepared) -> Counters {
-    let before = prepared.counters();
-    prepared.frame();
-    let after = prepared.counters();
+fn frame_counters(drawing: &mut dyn Drawing) -> Counters {
+    let before = drawing.counters();
+    drawing.frame();
+    let after = drawing.counters();
     Counters {
         pixels_in: after.pixels_in - before.pixels_in,
         triangles_drawn: after.triangles_drawn - before.triangles_drawn,

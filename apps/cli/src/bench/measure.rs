@@ -4,12 +4,12 @@ use std::time::Instant;
 
 use anyhow::Result;
 use fillrate_engine::DeviceConfig;
+use fillrate_simd::Level;
 use serde::{Deserialize, Serialize};
 
 use super::digest::{self, Digests};
-use super::prepared::{Prepared, plain_digest};
+use super::drawing::Drawing;
 use super::size::Size;
-use super::workload::Workload;
 
 /// A run is as many frames as take this long, in seconds.
 const RUN: f64 = 0.05;
@@ -55,77 +55,79 @@ pub struct WrongPicture {
     pub expected: String,
 }
 
-/// What to measure, and how.
-pub struct Job<'a> {
-    /// What to draw.
-    pub workload: Workload,
-    /// How large.
+/// Makes a drawing on a device.
+type Make = Box<dyn Fn(DeviceConfig) -> Result<Box<dyn Drawing>>>;
+
+/// What to measure.
+pub struct Job {
+    /// The workload's name.
+    pub name: &'static str,
+    /// What its rate counts.
+    pub unit: &'static str,
+    /// Of the colours.
+    pub format: &'static str,
+    /// How large it is drawn.
     pub size: Size,
-    /// How.
-    pub device: &'a DeviceConfig,
-    /// A texture of another size than the workload's own.
-    pub texture_side: Option<u32>,
+    /// Its digest may be kept.
+    pub kept: bool,
+    /// Makes it.
+    pub make: Make,
 }
 
 /// A workload whose picture is right.
 pub struct Checked {
     /// Ready to be timed.
-    pub prepared: Prepared,
+    pub drawing: Box<dyn Drawing>,
     /// Of the picture.
     pub digest: String,
     /// Frames drawn while it was timed.
     pub frames: u64,
 }
 
-impl Job<'_> {
+impl Job {
     /// Draws a frame and compares it with the expected digest: the kept one,
     /// or else that of the scalar level on one thread.
     ///
     /// # Errors
     /// [`WrongPicture`].
-    pub fn check(&self, digests: &Digests) -> Result<Checked> {
-        let kept = match self.texture_side {
-            None => digests.get(&self.size.to_string(), self.workload.name).map(String::from),
-            Some(_) => None,
-        };
+    pub fn check(&self, device: &DeviceConfig, digests: &Digests) -> Result<Checked> {
+        let kept = if self.kept { digests.get(&self.size.to_string(), self.name) } else { None };
         let expected = match kept {
-            Some(kept) => kept,
+            Some(kept) => kept.to_string(),
             None => {
-                let (workload, size) = (self.workload, self.size);
-                digest::text(plain_digest(workload, size, self.device, self.texture_side)?)
+                let plain = DeviceConfig { threads: 1, level: Level::Scalar, ..device.clone() };
+                let mut drawing = (self.make)(plain)?;
+                drawing.frame();
+                digest::text(drawing.picture()?.hash())
             }
         };
-        self.check_against(&expected)
-    }
-
-    /// The same with an expected digest.
-    ///
-    /// # Errors
-    /// [`WrongPicture`].
-    pub fn check_against(&self, expected: &str) -> Result<Checked> {
-        let (workload, size) = (self.workload, self.size);
-        let mut prepared = Prepared::new(workload, size, self.device.clone(), self.texture_side)?;
-        prepared.frame();
-        let digest = self.same(&mut prepared, expected)?;
-        Ok(Checked { prepared, digest, frames: 0 })
+        let mut drawing = (self.make)(device.clone())?;
+        drawing.frame();
+        let digest = self.same(&mut *drawing, &expected)?;
+        Ok(Checked { drawing, digest, frames: 0 })
     }
 
     /// Times a checked workload; the last frame must still be right.
     ///
     /// # Errors
     /// [`WrongPicture`].
-    pub fn time(&self, checked: &mut Checked, runs: u16) -> Result<Measured> {
-        let count = self.workload.count(self.size);
+    pub fn time(
+        &self,
+        checked: &mut Checked,
+        device: &DeviceConfig,
+        runs: u16,
+    ) -> Result<Measured> {
+        let count = checked.drawing.count();
         let mut rates: Vec<f64> = (0..runs).map(|_| count * run(checked)).collect();
-        self.same(&mut checked.prepared, &checked.digest)?;
+        self.same(&mut *checked.drawing, &checked.digest)?;
         rates.sort_by(f64::total_cmp);
         Ok(Measured {
-            workload: self.workload.name.into(),
+            workload: self.name.into(),
             size: self.size.to_string(),
-            format: "565".into(),
-            threads: self.device.threads,
-            simd: self.device.level.name().into(),
-            unit: self.workload.unit().into(),
+            format: self.format.into(),
+            threads: device.threads,
+            simd: device.level.name().into(),
+            unit: self.unit.into(),
             median: rates[rates.len() / 2],
             min: rates[0],
             max: rates[rates.len() - 1],
@@ -134,10 +136,10 @@ impl Job<'_> {
         })
     }
 
-    fn same(&self, prepared: &mut Prepared, expected: &str) -> Result<String> {
-        let found = digest::text(prepared.picture()?.hash());
+    fn same(&self, drawing: &mut dyn Drawing, expected: &str) -> Result<String> {
+        let found = digest::text(drawing.picture()?.hash());
         if found != expected {
-            let (workload, size) = (self.workload.name.into(), self.size.to_string());
+            let (workload, size) = (self.name.into(), self.size.to_string());
             return Err(WrongPicture { workload, size, found, expected: expected.into() }.into());
         }
         Ok(found)
@@ -149,7 +151,7 @@ fn run(checked: &mut Checked) -> f64 {
     let start = Instant::now();
     let mut frames = 0u32;
     while frames == 0 || start.elapsed().as_secs_f64() < RUN {
-        checked.prepared.frame();
+        checked.drawing.frame();
         frames += 1;
     }
     checked.frames += u64::from(frames);

@@ -1,12 +1,14 @@
-//! `fillrate bench`: the workloads W1 to W9 through the Glide API.
+//! `fillrate bench`: the workloads W1 to W9 through the Glide API, Q1 to Q14
+//! through Quark 3D.
 
 mod board;
 mod chart;
 mod curves;
 mod digest;
+mod drawing;
 mod measure;
 mod peers;
-mod prepared;
+mod quark;
 mod scene;
 mod size;
 mod surfaces;
@@ -24,7 +26,7 @@ use digest::Digests;
 use measure::{Job, Measured, WrongPicture};
 use peers::Peers;
 use size::Size;
-use workload::{WORKLOADS, Workload};
+use workload::WORKLOADS;
 
 /// Options of `fillrate bench`.
 #[derive(Args, Debug)]
@@ -97,30 +99,24 @@ fn run(args: &BenchArgs) -> Result<()> {
 
 /// Measures what was chosen, and tells so unless a table follows.
 fn measure(args: &BenchArgs, digests: &Digests) -> Result<Vec<Measured>> {
-    let chosen: Vec<Workload> =
-        WORKLOADS.into_iter().filter(|workload| workload.name.starts_with(&args.only)).collect();
-    if chosen.is_empty() {
-        bail!("no workload starts with '{}'", args.only);
-    }
     let device = args.settings.device();
     let quiet = !args.vs.is_empty();
     if !args.json && !args.check && !quiet {
         println!("{:22} {:>9} {:>9} {:>9} unit    digest", "workload", "median", "min", "max");
     }
     let mut all = Vec::new();
-    for workload in chosen {
-        let job = Job { workload, size: args.size, device: &device, texture_side: None };
-        let mut checked = job.check(digests)?;
+    for job in jobs(args)? {
+        let mut checked = job.check(&device, digests)?;
         if args.check {
-            println!("{:22} {}", workload.name, checked.digest);
+            println!("{:22} {}", job.name, checked.digest);
             if let Some(folder) = &args.out {
                 std::fs::create_dir_all(folder)?;
-                let file = folder.join(workload.name).with_extension("png");
-                checked.prepared.picture()?.save_png(&file)?;
+                let file = folder.join(job.name).with_extension("png");
+                checked.drawing.picture()?.save_png(&file)?;
             }
             continue;
         }
-        let measured = job.time(&mut checked, args.runs)?;
+        let measured = job.time(&mut checked, &device, args.runs)?;
         if args.json {
             println!("{}", serde_json::to_string(&measured)?);
         } else if !quiet {
@@ -129,6 +125,24 @@ fn measure(args: &BenchArgs, digests: &Digests) -> Result<Vec<Measured>> {
         all.push(measured);
     }
     Ok(all)
+}
+
+/// The chosen workloads. Those of Quark 3D exist where a board shows the size.
+fn jobs(args: &BenchArgs) -> Result<Vec<Job>> {
+    let is_chosen = |name: &str| name.starts_with(&args.only);
+    let glide = WORKLOADS.into_iter().filter(|workload| is_chosen(workload.name));
+    let mut jobs: Vec<Job> =
+        glide.map(|workload| drawing::job(workload, args.size, None)).collect();
+    let of_quark = quark::WORKLOADS.into_iter().filter(|(name, _)| is_chosen(name));
+    if jobs.is_empty() || args.size.resolution().is_some() {
+        for (name, kind) in of_quark {
+            jobs.push(drawing::quark_job(name, kind, args.size)?);
+        }
+    }
+    if jobs.is_empty() {
+        bail!("no workload starts with '{}'", args.only);
+    }
+    Ok(jobs)
 }
 
 fn report(m: &Measured) {

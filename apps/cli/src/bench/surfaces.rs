@@ -8,15 +8,16 @@
 use std::sync::Arc;
 
 use anyhow::{Context as _, Result};
-use fillrate_engine::state::{Dither, Rect};
+use fillrate_engine::state::{Dither, MAX_TMUS, Rect};
 use fillrate_engine::{
-    ClearValues, Counters, Cull, Device, DeviceConfig, FlushReason, PixelFormat, SurfaceId,
-    Texture, TextureDesc, Vertex,
+    ClearValues, Counters, Cull, Device, DeviceConfig, DrawState, FlushReason, PixelFormat,
+    SurfaceId, Texture, TextureDesc, Vertex,
 };
-use fillrate_glide::{EngineState, GrVertex};
+use fillrate_glide::GrVertex;
 use fillrate_player::{Frame, Pixels};
 
 use super::board::{Board, constant_color};
+use super::drawing::Drawing;
 use super::scene;
 use super::size::Size;
 use super::workload::{Kind, Workload};
@@ -28,9 +29,13 @@ const MAX_COORDINATE: f32 = 2047.9375;
 /// Boards of this size lend their state.
 const LENDER: Size = Size { width: 640, height: 480 };
 
+/// A texture for each unit.
+type Textures = [Option<Arc<Texture>>; MAX_TMUS];
+
 /// Triangles of one draw state.
 struct Batch {
-    state: EngineState,
+    state: DrawState,
+    textures: Textures,
     triangles: Vec<[Vertex; 3]>,
 }
 
@@ -78,9 +83,10 @@ impl Surfaces {
         }
         Ok(Surfaces { workload, size, device, parts })
     }
+}
 
-    /// Draws a frame.
-    pub fn frame(&mut self) {
+impl Drawing for Surfaces {
+    fn frame(&mut self) {
         for part in &self.parts {
             // Both were made by this device, of one size.
             let _ = self.device.set_target(part.color, Some(part.aux));
@@ -91,7 +97,7 @@ impl Surfaces {
                 self.device.clear(Rect::new(0, 0, width, height), values);
             }
             for batch in &part.batches {
-                self.device.set_state(&batch.state.0, batch.state.1.clone());
+                self.device.set_state(&batch.state, batch.textures.clone());
                 for [a, b, c] in &batch.triangles {
                     self.device.draw_triangle([a, b, c], Cull::Disabled);
                 }
@@ -100,8 +106,11 @@ impl Surfaces {
         }
     }
 
-    /// The picture.
-    pub fn picture(&mut self) -> Result<Frame> {
+    fn count(&self) -> f64 {
+        self.workload.count(self.size)
+    }
+
+    fn picture(&mut self) -> Result<Frame> {
         let Size { width, height } = self.size;
         let mut pixels = vec![0; (width * height) as usize];
         for part in &self.parts {
@@ -113,8 +122,7 @@ impl Surfaces {
         Ok(Frame::new(width, height, Pixels::Rgb565(pixels))?)
     }
 
-    /// What was drawn so far.
-    pub fn counters(&mut self) -> Counters {
+    fn counters(&mut self) -> Counters {
         self.device.counters()
     }
 }
@@ -139,10 +147,11 @@ fn batches(
         if flat {
             board.context().execute(&constant_color(i));
         }
-        let mut state = board.context().engine_state().context("the board is open")?;
+        let (mut state, mut textures) =
+            board.context().draw_state().context("the board is closed")?;
         // The board's window is not the surface's.
-        state.0.clip = None;
-        if let (Some(texture), Some(first)) = (texture, &mut state.1[0]) {
+        state.clip = None;
+        if let (Some(texture), Some(first)) = (texture, &mut textures[0]) {
             *first = texture.clone();
         }
         let mut triangles = Vec::new();
@@ -151,7 +160,7 @@ fn batches(
             let [Some(a), Some(b), Some(c)] = converted else { continue };
             triangles.push([a, b, c]);
         }
-        batches.push(Batch { state, triangles });
+        batches.push(Batch { state, textures, triangles });
     }
     Ok(batches)
 }
