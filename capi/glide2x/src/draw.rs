@@ -78,6 +78,9 @@ macro_rules! polygons {
             vertices: *const GrVertex,
         ) {
             guard((), || {
+                if indices.is_null() || vertices.is_null() {
+                    return null(stringify!($indexed));
+                }
                 // SAFETY: the caller's promise.
                 let vertices = unsafe { gather(count, Some(indices), vertices) };
                 call(Call::$call { vertices });
@@ -90,6 +93,9 @@ macro_rules! polygons {
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $listed(count: i32, vertices: *const GrVertex) {
             guard((), || {
+                if vertices.is_null() {
+                    return null(stringify!($listed));
+                }
                 // SAFETY: the caller's promise.
                 let vertices = unsafe { gather(count, None, vertices) };
                 call(Call::$call { vertices });

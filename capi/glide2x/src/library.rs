@@ -5,7 +5,7 @@ use std::ffi::{c_char, c_void};
 use fillrate_glide::{Call, STATE_BYTES};
 use fillrate_guard::{bytes, guard, read, write};
 
-use crate::session::{ErrorCallback, ask, call, session};
+use crate::session::{ErrorCallback, ask, call, null, session};
 
 /// Texture unit of a configuration.
 #[repr(C)]
@@ -95,8 +95,13 @@ calls! {
 /// `version` is null or has room for 80 bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn grGlideGetVersion(version: *mut c_char) {
-    // SAFETY: five bytes fit in the caller's 80.
-    guard((), || unsafe { write(version.cast(), *b"2.46\0") })
+    guard((), || {
+        if version.is_null() {
+            null("grGlideGetVersion");
+        }
+        // SAFETY: five bytes fit in the caller's 80.
+        unsafe { write(version.cast(), *b"2.46\0") }
+    })
 }
 
 /// Saves the state.
@@ -106,6 +111,9 @@ pub unsafe extern "C" fn grGlideGetVersion(version: *mut c_char) {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn grGlideGetState(state: *mut [u8; STATE_BYTES]) {
     guard((), || {
+        if state.is_null() {
+            return null("grGlideGetState");
+        }
         if let Some(saved) = ask(|context| context.state()) {
             // SAFETY: the caller gives room for a state.
             unsafe { write(state, saved) }
@@ -120,6 +128,9 @@ pub unsafe extern "C" fn grGlideGetState(state: *mut [u8; STATE_BYTES]) {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn grGlideSetState(state: *const u8) {
     guard((), || {
+        if state.is_null() {
+            return null("grGlideSetState");
+        }
         // SAFETY: the caller gives a whole state.
         let state = unsafe { bytes(state, STATE_BYTES) }.into();
         call(Call::GrGlideSetState { state });
@@ -138,10 +149,15 @@ pub extern "C" fn grErrorSetCallback(callback: ErrorCallback) {
 /// `configuration` is null or points to a configuration.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn grSstQueryBoards(configuration: *mut i32) -> i32 {
-    // SAFETY: the count is the configuration's first field.
-    guard(0, || unsafe {
-        write(configuration, session().context.board_count() as i32);
-        i32::from(!configuration.is_null())
+    guard(0, || {
+        if configuration.is_null() {
+            null("grSstQueryBoards");
+            return 0;
+        }
+        let count = session().context.board_count() as i32;
+        // SAFETY: the count is the configuration's first field.
+        unsafe { write(configuration, count) };
+        1
     })
 }
 
@@ -152,6 +168,10 @@ pub unsafe extern "C" fn grSstQueryBoards(configuration: *mut i32) -> i32 {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn grSstQueryHardware(configuration: *mut HwConfiguration) -> i32 {
     guard(0, || {
+        if configuration.is_null() {
+            null("grSstQueryHardware");
+            return 0;
+        }
         let session = session();
         let card = &session.context.config().card;
         let tmu = TmuConfig { revision: 1, megabytes: card.texture as i32 };
@@ -168,7 +188,7 @@ pub unsafe extern "C" fn grSstQueryHardware(configuration: *mut HwConfiguration)
         all.boards[..count].fill(board);
         // SAFETY: the caller gives room for a configuration.
         unsafe { write(configuration, all) };
-        i32::from(!configuration.is_null())
+        1
     })
 }
 
@@ -282,6 +302,9 @@ pub extern "C" fn grSstVRetraceOn() -> i32 {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn grSstPerfStats(stats: *mut PerfStats) {
     guard((), || {
+        if stats.is_null() {
+            return null("grSstPerfStats");
+        }
         let c = ask(|context| context.counters());
         let low = |count: u64| (count & 0x00ff_ffff) as u32;
         let counted = PerfStats {

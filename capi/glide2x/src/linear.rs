@@ -56,7 +56,11 @@ pub unsafe extern "C" fn grLfbLock(
     info: *mut LfbInfo,
 ) -> i32 {
     guard(0, || {
-        if info.is_null() || call(Call::GrLfbLock { kind, buffer, mode, origin, pipeline }) == 0 {
+        if info.is_null() {
+            null("grLfbLock");
+            return 0;
+        }
+        if call(Call::GrLfbLock { kind, buffer, mode, origin, pipeline }) == 0 {
             return 0;
         }
         let wide = matches!(mode, 4 | 5 | 0xc..=0xe) && kind & 0xf == 1;
@@ -129,8 +133,12 @@ pub unsafe extern "C" fn grLfbReadRegion(
     to: *mut u8,
 ) -> i32 {
     guard(0, || {
+        if to.is_null() {
+            null("grLfbReadRegion");
+            return 0;
+        }
         let read = ask(|context| context.lfb_read_region(buffer, (x, y), (width, height)));
-        let Some(pixels) = read.filter(|_| !to.is_null()) else { return 0 };
+        let Some(pixels) = read else { return 0 };
         if width == 0 || height == 0 {
             return 1;
         }

@@ -73,7 +73,7 @@ pub fn ask<T>(question: impl FnOnce(&mut Context) -> T) -> T {
 
 /// In checking mode, tells of a null pointer.
 pub fn null(function: &str) {
-    ask(|context| context.misuse(function, "a pointer is null"));
+    ask(|context| context.null_pointer(function));
 }
 
 /// Passes reports on, with the library unlocked: a callback may call it.
@@ -103,7 +103,7 @@ fn tell_one(callback: ErrorCallback, report: &Report) {
 
 impl Session {
     fn new() -> Session {
-        let settings = Settings::load();
+        let settings = Settings::load_checking(cfg!(feature = "checked"));
         for problem in &settings.problems {
             eprintln!("fillrate: {problem}");
         }

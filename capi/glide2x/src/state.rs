@@ -4,7 +4,7 @@ use fillrate_glide::Call;
 use fillrate_guard::{guard, read};
 
 use crate::library::calls;
-use crate::session::{ask, call};
+use crate::session::{ask, call, null};
 
 calls! {
     /// Fills the clip window.
@@ -78,9 +78,8 @@ calls! {
 pub unsafe extern "C" fn grFogTable(table: *const [u8; 64]) {
     guard((), || {
         // SAFETY: the caller gives 64 entries.
-        if let Some(table) = unsafe { read(table) } {
-            call(Call::GrFogTable { table });
-        }
+        let Some(table) = (unsafe { read(table) }) else { return null("grFogTable") };
+        call(Call::GrFogTable { table });
     })
 }
 

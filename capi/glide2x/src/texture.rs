@@ -7,7 +7,7 @@ use fillrate_glide::{Call, TextureInfo};
 use fillrate_guard::{bytes, guard, read};
 
 use crate::library::calls;
-use crate::session::{ask, call};
+use crate::session::{ask, call, null};
 
 /// `GrTexInfo`.
 #[repr(C)]
@@ -107,7 +107,7 @@ pub unsafe extern "C" fn grTexSource(tmu: i32, start: u32, even_odd: u32, info: 
         // SAFETY: the caller's promise.
         let Some(TexInfo { small_lod, large_lod, aspect, format, .. }) = (unsafe { read(info) })
         else {
-            return;
+            return null("grTexSource");
         };
         call(Call::GrTexSource { tmu, start, even_odd, small_lod, large_lod, aspect, format });
     })
@@ -136,8 +136,11 @@ pub unsafe extern "C" fn grTexDownloadMipMap(
 ) {
     guard((), || {
         // SAFETY: the caller's promise.
-        let Some(own) = (unsafe { read(info) }) else { return };
+        let Some(own) = (unsafe { read(info) }) else { return null("grTexDownloadMipMap") };
         let TexInfo { small_lod, large_lod, aspect, format, data } = own;
+        if data.is_null() {
+            return null("grTexDownloadMipMap");
+        }
         let info = own.info();
         let size = (large_lod..=small_lod.min(8)).map(|lod| host_bytes(&info, lod)).sum();
         // SAFETY: the caller's data holds all levels.
@@ -197,6 +200,9 @@ pub unsafe extern "C" fn grTexDownloadMipMapLevelPartial(
     last: i32,
 ) {
     guard((), || {
+        if data.is_null() {
+            return null("grTexDownloadMipMapLevelPartial");
+        }
         let info = TextureInfo { small_lod: this_lod, large_lod, aspect, format };
         let (_, height) = layout::size(aspect, this_lod.clamp(0, 8) as u32);
         let rows = if first >= 0 && first <= last && last < height as i32 {
@@ -250,7 +256,13 @@ pub unsafe extern "C" fn grTexDownloadTablePartial(
 ) {
     guard((), || {
         let (count, offset) = if table == 2 { (256, 0) } else { (12, PACKED) };
-        if data.is_null() || first < 0 || first > last || last >= count {
+        if data.is_null() {
+            return null("grTexDownloadTablePartial");
+        }
+        if first < 0 || first > last || last >= count {
+            // Past the end, where nothing is stored: for the rules to see.
+            let (first, words) = (count as u32, vec![0]);
+            call(Call::GrTexDownloadTable { tmu, table, first, words });
             return;
         }
         let words = data.cast::<u8>().wrapping_add(offset).cast::<u32>();

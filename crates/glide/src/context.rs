@@ -1,8 +1,10 @@
 //! A Glide library without global state.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
-use fillrate_engine::{Counters, Device, DeviceConfig};
+use fillrate_engine::state::MAX_TMUS;
+use fillrate_engine::{Counters, Device, DeviceConfig, DrawState, Texture};
 
 use crate::board::Board;
 use crate::buffers::Shown;
@@ -11,6 +13,7 @@ use crate::clock::Clock;
 use crate::error::{GlideError, Report, historic_name};
 use crate::gu::MultiPass;
 use crate::lfb::LfbInfo;
+use crate::rules::{NOT_OPEN, NULL_POINTER};
 use crate::state::STATE_BYTES;
 use crate::variables::Variables;
 use crate::vertex::GrVertex;
@@ -104,6 +107,8 @@ pub struct Context {
     pub(crate) current: usize,
     pub(crate) initialized: bool,
     pub(crate) reports: Vec<Report>,
+    /// A rule told what is wrong with the call that is carried out.
+    pub(crate) told: bool,
     pub(crate) variables: Variables,
     /// The mark in the corner is drawn at every swap.
     pub(crate) plug: bool,
@@ -131,6 +136,7 @@ impl Context {
             current: 0,
             initialized: false,
             reports: Vec::new(),
+            told: false,
             variables,
             multipass: MultiPass::default(),
         })
@@ -166,31 +172,42 @@ impl Context {
 
     /// Tells of a misuse, whatever the mode.
     pub(crate) fn report(&mut self, function: &str, text: impl Into<String>) {
-        self.add_report(function, text.into(), true);
+        self.add_report(function, "", text.into(), true);
     }
 
     /// Tells of something that would not have ended the program.
     pub(crate) fn warn(&mut self, function: &str, text: impl Into<String>) {
-        self.add_report(function, text.into(), false);
+        self.add_report(function, "", text.into(), false);
     }
 
-    fn add_report(&mut self, function: &str, text: String, fatal: bool) {
-        if self.reports.len() < MAX_REPORTS {
+    /// Adds a report, unless a rule already told what is wrong with the call.
+    pub(crate) fn add_report(
+        &mut self,
+        function: &str,
+        argument: &'static str,
+        text: String,
+        fatal: bool,
+    ) {
+        if self.reports.len() < MAX_REPORTS && !self.told {
             let function = historic_name(function);
-            self.reports.push(Report { function, text, fatal });
+            self.reports.push(Report { function, argument, text, fatal });
         }
     }
 
-    /// In checking mode, tells of a broken rule.
+    /// In checking mode, tells of a misuse that no rule of the table names.
     pub(crate) fn check(&mut self, holds: bool, function: &str, rule: &str) {
         if !holds && self.config.check {
             self.report(function, rule);
         }
     }
 
-    /// In checking mode, tells of a misuse that only the caller can see.
-    pub fn misuse(&mut self, function: &str, rule: &str) {
-        self.check(false, function, rule);
+    /// In checking mode, tells of a null pointer, which only the caller sees.
+    pub fn null_pointer(&mut self, function: &str) {
+        if self.config.check {
+            self.told = false;
+            let (argument, text) = NULL_POINTER;
+            self.add_report(function, argument, text.to_string(), true);
+        }
     }
 
     /// What went wrong since the last call of this.
@@ -213,7 +230,7 @@ impl Context {
     /// The current board where it is open; tells so otherwise.
     pub(crate) fn board(&mut self, function: &str) -> Option<&mut Board> {
         let open = self.boards.get(self.current).is_some_and(Board::is_open);
-        self.check(open, function, "no board is open");
+        self.check(open, function, NOT_OPEN.1);
         self.boards.get_mut(self.current).filter(|_| open)
     }
 
@@ -229,7 +246,9 @@ impl Context {
     /// Draws a triangle: the hot path, which needs no call value.
     #[inline]
     pub fn draw_triangle(&mut self, a: &GrVertex, b: &GrVertex, c: &GrVertex) {
-        if let Some(board) = self.board("grDrawTriangle") {
+        if self.config.check {
+            self.execute(&crate::Call::GrDrawTriangle { a: *a, b: *b, c: *c });
+        } else if let Some(board) = self.board("grDrawTriangle") {
             board.draw_triangle([a, b, c]);
         }
     }
@@ -248,6 +267,14 @@ impl Context {
     pub fn screen_size(&self) -> (u32, u32) {
         let buffers = self.boards.get(self.current).and_then(|board| board.buffers.as_ref());
         buffers.map_or((0, 0), |buffers| (buffers.width, buffers.height))
+    }
+
+    /// What the registers of the current board say, in the engine's terms; a
+    /// unit whose texel does not count has no texture. `None` while the board
+    /// is closed.
+    pub fn draw_state(&mut self) -> Option<(DrawState, [Option<Arc<Texture>>; MAX_TMUS])> {
+        let board = self.boards.get_mut(self.current).filter(|board| board.is_open())?;
+        Some(board.engine_state())
     }
 
     /// Pixel and triangle counters of the current board since their resets.

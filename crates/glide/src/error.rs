@@ -9,7 +9,10 @@ use std::fmt;
 pub struct Report {
     /// The entry point.
     pub function: String,
-    /// The rule that was broken.
+    /// The argument at fault as the headers name it; empty where it is none in
+    /// particular.
+    pub argument: &'static str,
+    /// What is wrong with it.
     pub text: String,
     /// Whether the original would have ended the program.
     pub fatal: bool,
@@ -17,7 +20,8 @@ pub struct Report {
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.function, self.text)
+        let gap = if self.argument.is_empty() { "" } else { " " };
+        write!(f, "{}: {}{gap}{}", self.function, self.argument, self.text)
     }
 }
 

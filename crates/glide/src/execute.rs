@@ -8,19 +8,14 @@ use crate::enums::*;
 use crate::gu::{Attributes, MipMap, MultiPass, NCC_TABLE_BYTES, Sprite};
 use crate::registers::{lfb_mode, replace, switch};
 use crate::texture::layout;
-use crate::texture_state::{TextureInfo, lod_bias_quarters};
-
-/// Whether a chain of textures would cross a boundary of two megabytes.
-fn crosses_bank(start: u32, info: &TextureInfo, even_odd: u32) -> bool {
-    let (small, large) = (info.small_lod as u32, info.large_lod as u32);
-    let bytes = layout::chain_bytes(small, large, info.aspect, info.format, even_odd);
-    bytes > 0 && start >> 21 != (start.saturating_add(bytes - 1)) >> 21
-}
+use crate::texture_state::{TextureInfo, crosses_bank, lod_bias_quarters};
 
 impl Context {
     /// Carries out a call. Returns what the original returned as a number:
     /// 1 and 0 for true and false, 0 for nothing.
     pub fn execute(&mut self, call: &Call) -> u32 {
+        self.told = false;
+        self.told = self.config.check && self.apply_rules(call);
         use fillrate_call::Tagged;
         match call {
             Call::GrGlideInit {} => self.init(),

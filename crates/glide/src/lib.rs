@@ -13,6 +13,7 @@
 pub mod card;
 pub mod enums;
 pub mod gu;
+pub mod rules;
 pub mod texture;
 
 mod board;

@@ -49,6 +49,13 @@ pub(crate) fn lod_bias_quarters(bias: f32) -> u32 {
     ((bias + 0.125) / 0.25) as i32 as u32 & 0x3f
 }
 
+/// Whether a chain of textures would cross a boundary of two megabytes.
+pub(crate) fn crosses_bank(start: u32, info: &TextureInfo, even_odd: u32) -> bool {
+    let (small, large) = (info.small_lod as u32, info.large_lod as u32);
+    let bytes = layout::chain_bytes(small, large, info.aspect, info.format, even_odd);
+    bytes > 0 && start >> 21 != (start.saturating_add(bytes - 1)) >> 21
+}
+
 impl Board {
     fn mode(&mut self, unit: usize, bit: u32, on: bool) {
         let mode = &mut self.tmus[unit].texture_mode;

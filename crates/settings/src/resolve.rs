@@ -51,6 +51,12 @@ fn candidates() -> Vec<PathBuf> {
 impl Settings {
     /// Reads the file and the environment.
     pub fn load() -> Settings {
+        Settings::load_checking(false)
+    }
+
+    /// The same; `check` says whether checking mode is on where neither says
+    /// anything.
+    pub fn load_checking(check: bool) -> Settings {
         let text = |path: PathBuf| {
             let text = std::fs::read_to_string(&path);
             match text {
@@ -68,14 +74,15 @@ impl Settings {
         let variables = std::env::vars_os().filter_map(|(name, value)| {
             Some((name.into_string().ok()?, value.into_string().ok()?))
         });
-        Settings::from_parts(file, variables)
+        Settings::from_parts(file, variables, check)
     }
 
     /// The settings of a file (its path and its text, or why it cannot be
-    /// read) and of variables.
+    /// read) and of variables; see [`Settings::load_checking`].
     pub fn from_parts(
         file: Option<(PathBuf, Result<String, String>)>,
         variables: impl Iterator<Item = (String, String)>,
+        check: bool,
     ) -> Settings {
         let mut problems = Vec::new();
         let layer = match &file {
@@ -88,7 +95,8 @@ impl Settings {
                 })
             }
         };
-        let layer = layer.overridden_by(Layer::from_variables(variables, &mut problems));
+        let mut layer = layer.overridden_by(Layer::from_variables(variables, &mut problems));
+        layer.board.check = Some(layer.board.check.unwrap_or(check));
         let glide = glide(&layer, &mut problems);
         let output = layer.output;
         Settings {
@@ -206,7 +214,7 @@ mod tests {
 
     fn settings(text: &str, variables: &[(&str, &str)]) -> Settings {
         let variables = variables.iter().map(|(name, value)| (name.to_string(), value.to_string()));
-        Settings::from_parts(Some((FILE.into(), Ok(text.into()))), variables)
+        Settings::from_parts(Some((FILE.into(), Ok(text.into()))), variables, false)
     }
 
     const EVERYTHING: &str = "
@@ -292,7 +300,7 @@ mod tests {
 
     #[test]
     fn without_a_file_everything_has_its_built_in_value() {
-        let s = Settings::from_parts(None, std::iter::empty());
+        let s = Settings::from_parts(None, std::iter::empty(), false);
         assert_eq!((s.every, s.exit_after, s.file), (1, None, None));
         assert_eq!(s.scan_out, ScanOut::default());
         assert!(!s.glide.check && !s.glide.splash && s.problems.is_empty());

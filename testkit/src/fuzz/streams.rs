@@ -123,7 +123,7 @@ fn ask(context: &mut Context, from: &mut Bytes<'_>) {
         10 => {
             let _ = context.take_reports();
         }
-        _ => context.misuse("any", "a pointer is null"),
+        _ => context.null_pointer("any"),
     }
 }
 

@@ -22,6 +22,7 @@ int main(void)
     size_t i;
     int frame, x, y;
 
+    broken_on_purpose = "grClipWindow";
     open_small(GR_ORIGIN_UPPER_LEFT);
     use_vertex_colors();
     for (frame = 0; frame < 4; frame++) {

@@ -20,10 +20,17 @@
 
 static int errors_told;
 static char error_text[160];
+/* A function whose rules the program breaks on purpose: what checking says of
+ * it does not count. */
+static const char *broken_on_purpose;
 
 static inline void note_error(const char *text, FxBool fatal)
 {
     (void)fatal;
+    if (broken_on_purpose != NULL
+        && strncmp(text, broken_on_purpose, strlen(broken_on_purpose)) == 0) {
+        return;
+    }
     errors_told++;
     strncpy(error_text, text, sizeof error_text - 1);
 }

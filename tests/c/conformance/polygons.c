@@ -34,6 +34,7 @@ int main(void)
     Box box;
     int i;
 
+    broken_on_purpose = "grDraw";
     open_small(GR_ORIGIN_UPPER_LEFT);
     use_vertex_colors();
     memset(shots, 0, sizeof shots);

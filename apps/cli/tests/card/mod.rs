@@ -1,5 +1,7 @@
 //! The boards as a C program sees them, and the settings that reach it.
 
+mod rules;
+
 use std::path::PathBuf;
 use std::process::Command;
 

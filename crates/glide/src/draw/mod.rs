@@ -9,3 +9,5 @@ mod polygon;
 mod raw;
 mod stipple;
 mod triangle;
+
+pub(crate) use triangle::is_in_range;

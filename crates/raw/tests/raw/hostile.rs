@@ -27,7 +27,7 @@ fn nonsense_does_no_harm() {
         let length = random.next() % 400;
         let mut bytes = vec![(case % 8) as u8 | (random.next() as u8 & 0x80)];
         // Half of the streams enter a scene first and send triangles between the nonsense.
-        if random.next() % 2 == 0 {
+        if random.next().is_multiple_of(2) {
             bytes.extend([0xc0, 100, 102]);
         }
         while (bytes.len() as u64) < length {
