@@ -69,9 +69,10 @@ impl BatchState {
         textures: &[Option<Arc<Texture>>; MAX_TMUS],
         target: &Surface,
         has_aux: bool,
+        scale: u32,
     ) -> BatchState {
         let (width, height) = (target.width(), target.height());
-        let screen = Screen { width, height, origin: state.origin };
+        let screen = Screen { width, height, origin: state.origin, scale };
         BatchState {
             pipeline: Pipeline::new(state, textures, target.format(), has_aux),
             pixel_pipeline: None,
@@ -86,7 +87,9 @@ impl BatchState {
 fn screen_clip(state: &DrawState, screen: &Screen) -> Rect {
     let all = Rect::new(0, 0, screen.width, screen.height);
     let Some(clip) = state.clip else { return all };
-    let clip = clip.intersect(&all);
+    let [x0, y0, x1, y1] =
+        [clip.x0, clip.y0, clip.x1, clip.y1].map(|v| v.saturating_mul(screen.scale));
+    let clip = Rect::new(x0, y0, x1, y1).intersect(&all);
     match state.origin {
         Origin::UpperLeft => clip,
         Origin::LowerLeft => {
