@@ -2,6 +2,8 @@
 
 mod formats;
 mod fuzz_targets;
+mod glide_states;
 mod golden_scenes;
 mod random_cases;
 mod set_up;
+mod state_coverage;

@@ -1,7 +1,7 @@
 //! `fillrate run`: a program with our library found first.
 
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result};
@@ -123,6 +123,8 @@ pub struct Request<'a> {
     pub trace: Option<&'a Path>,
     /// Further variables.
     pub variables: Vec<(&'static str, String)>,
+    /// Drop what the program prints, so that it does not mix with ours.
+    pub quiet: bool,
 }
 
 /// Runs a program and reads back what the library noted of its frames.
@@ -142,6 +144,9 @@ pub fn execute(program: &[std::ffi::OsString], request: &Request<'_>) -> Result<
     }
     if let Some(trace) = request.trace {
         command.env("FILLRATE_TRACE", trace);
+    }
+    if request.quiet {
+        command.stdout(Stdio::null());
     }
     let start = Instant::now();
     let status =
@@ -203,6 +208,7 @@ pub fn run(args: &RunArgs) -> Result<Outcome> {
             folder,
             trace: args.trace.as_deref(),
             variables: args.variables(),
+            quiet: false,
         },
     )?;
     report(args, &finished)?;

@@ -209,12 +209,7 @@ impl Board {
             return;
         }
         self.dirty = false;
-        let mut state = draw_state(&self.fbi, &self.tmus, &self.fog_table);
-        if self.improve.color32 {
-            state.dither = Dither::Off;
-            state.blend = state.blend.map(|blend| Blend { subtract_dither: false, ..blend });
-        }
-        let textures = self.textures(&state);
+        let (state, textures) = self.engine_state();
         let color = self.color_surface(self.fbi.fbz_mode >> 14 & 3);
         let aux = self.buffers.as_ref().and_then(|buffers| buffers.aux);
         if let Some(color) = color {
@@ -230,6 +225,17 @@ impl Board {
                 [r, g, b].map(f32::to_bits)
             }),
         };
+    }
+
+    /// The state and textures that [`Board::update`] tells the engine.
+    pub fn engine_state(&mut self) -> (DrawState, [Option<Arc<Texture>>; MAX_TMUS]) {
+        let mut state = draw_state(&self.fbi, &self.tmus, &self.fog_table);
+        if self.improve.color32 {
+            state.dither = Dither::Off;
+            state.blend = state.blend.map(|blend| Blend { subtract_dither: false, ..blend });
+        }
+        let textures = self.textures(&state);
+        (state, textures)
     }
 
     fn textures(&mut self, state: &DrawState) -> [Option<Arc<Texture>>; MAX_TMUS] {

@@ -1,8 +1,10 @@
 //! A Glide library without global state.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
-use fillrate_engine::{Counters, Device, DeviceConfig};
+use fillrate_engine::state::MAX_TMUS;
+use fillrate_engine::{Counters, Device, DeviceConfig, DrawState, Texture};
 
 use crate::board::Board;
 use crate::buffers::Shown;
@@ -280,6 +282,14 @@ impl Context {
     pub fn screen_size(&self) -> (u32, u32) {
         let buffers = self.boards.get(self.current).and_then(|board| board.buffers.as_ref());
         buffers.map_or((0, 0), |buffers| (buffers.width, buffers.height))
+    }
+
+    /// What the registers of the current board say, in the engine's terms; a
+    /// unit whose texel does not count has no texture. `None` while the board
+    /// is closed.
+    pub fn draw_state(&mut self) -> Option<(DrawState, [Option<Arc<Texture>>; MAX_TMUS])> {
+        let board = self.boards.get_mut(self.current).filter(|board| board.is_open())?;
+        Some(board.engine_state())
     }
 
     /// Pixel and triangle counters of the current board since their resets.

@@ -175,7 +175,7 @@ fn blend(rng: &mut Rng) -> Blend {
 
 /// A chain of none to three units.
 fn units(rng: &mut Rng) -> [Option<TextureUnit>; 3] {
-    let count = rng.pick(&[0, 1, 1, 1, 2, 2, 3]);
+    let count = rng.pick(&[0, 1, 1, 1, 2, 2, 3, 3]);
     [0, 1, 2].map(|index| if index < count { Some(unit(rng)) } else { None })
 }
 

@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use fillrate_simd::Level;
 
-use self::arena::{Arena, BatchState, Clear, Command, Pixel, Run};
+use self::arena::{Arena, Clear, Command, Pixel, Run};
 use crate::bins::Chunk;
 use crate::error::EngineError;
 use crate::kernel::Pipeline;
@@ -195,7 +195,6 @@ impl Device {
         if self.color != Some(color) || self.aux != aux {
             self.flush(FlushReason::Target);
             (self.color, self.aux) = (Some(color), aux);
-            self.arena.states.clear();
             self.state = None;
         }
         Ok(())
@@ -226,6 +225,7 @@ impl Device {
     pub fn set_scale(&mut self, scale: u32) {
         let scale = scale.clamp(1, MAX_SCALE);
         if self.scale != scale {
+            self.flush(FlushReason::Target);
             self.scale = scale;
             self.state = None;
         }
@@ -257,7 +257,7 @@ impl Device {
     pub fn draw_pixels(&mut self, run: &PixelRun<'_>) {
         let Some(state) = self.use_state() else { return };
         let has_aux = self.aux.is_some();
-        let batch = &mut self.arena.states[state as usize];
+        let batch = self.arena.states.get_mut(state);
         let (width, height) = (batch.screen.width, batch.screen.height);
         if run.x >= width || run.y >= height {
             return;
@@ -318,10 +318,8 @@ impl Device {
             return Some(state);
         }
         let (state, textures) = &self.current;
-        let target = self.peek(self.color?).ok()?;
-        let batch = BatchState::new(state, textures, target, self.aux.is_some(), self.scale);
-        let index = self.arena.states.len() as u32;
-        self.arena.states.push(batch);
+        let target = self.surfaces.get(self.color?.0 as usize)?.as_ref()?;
+        let index = self.arena.states.find(state, textures, target, self.aux.is_some(), self.scale);
         self.state = Some(index);
         Some(index)
     }

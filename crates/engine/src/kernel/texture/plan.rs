@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::kernel::combine::Switches;
+use crate::kernel::combine::{Arithmetic, Switches};
 use crate::state::{Addend, CombineUnit, Filter, TextureCombine, TextureFactor, TextureUnit};
 use crate::texture::Texture;
 
@@ -37,6 +37,7 @@ pub(crate) struct UnitPlan {
     /// The unit upstream counts.
     pub has_other: bool,
     pub switches: Switches,
+    pub arithmetic: Arithmetic,
 }
 
 /// The coarsest level of detail there is.
@@ -58,6 +59,7 @@ impl UnitPlan {
             texel_only: passes_texel(&combine),
             has_other,
             switches: Switches::new(&combine.color, &combine.alpha),
+            arithmetic: Arithmetic::of(&combine.color, &combine.alpha, true),
             texture,
         }
     }
