@@ -56,6 +56,15 @@ pub struct RunArgs {
     /// Show the start-up picture when a board is opened
     #[arg(long)]
     pub splash: bool,
+    /// Draw every pixel as N by N, 1 to 4
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=4))]
+    pub scale: Option<u8>,
+    /// Scale pictures back: each pixel is the mean of those drawn for it
+    #[arg(long)]
+    pub supersample: bool,
+    /// Eight bits a colour channel, without dithering
+    #[arg(long)]
+    pub color32: bool,
     /// Settings file, instead of the fillrate.toml found
     #[arg(long, value_name = "FILE")]
     pub config: Option<PathBuf>,
@@ -174,6 +183,9 @@ impl RunArgs {
             ("FILLRATE_GAMMA", on(self.gamma)),
             ("FILLRATE_FILTER", on(self.filter)),
             ("FILLRATE_SPLASH", on(self.splash)),
+            ("FILLRATE_SCALE", self.scale.map(|n| n.to_string())),
+            ("FILLRATE_SUPERSAMPLE", on(self.supersample)),
+            ("FILLRATE_COLOR32", on(self.color32)),
         ]
         .into_iter()
         .filter_map(|(name, value)| Some((name, value?)))

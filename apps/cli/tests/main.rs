@@ -166,7 +166,7 @@ fn raw_clients_draw_the_same_over_every_transport() {
             .collect();
         frames.sort();
         let last = std::fs::read(frames.last().expect("a frame")).expect("a picture");
-        for (build, out) in [("single", &single), ("grid", &grid)] {
+        for (build, out) in [("single", &single), ("grid", &grid), ("fast", &grid)] {
             let mut serve = fillrate();
             serve.args(["raw", "serve", "--build", build, "--out"]).arg(out);
             run(serve.arg("--").arg(&program));
@@ -261,7 +261,7 @@ fn dependencies_point_one_way() {
         ("fillrate-engine", &["fillrate-simd"]),
         ("fillrate-glide", &["fillrate-engine", "fillrate-call"]),
         ("fillrate-settings", &["fillrate-glide", "fillrate-engine", "fillrate-simd"]),
-        ("fillrate-raw", &["fillrate-engine", "fillrate-call"]),
+        ("fillrate-raw", &["fillrate-call"]),
         ("fillrate-quark", &["fillrate-engine", "fillrate-call"]),
         ("fillrate-trace", &["fillrate-call"]),
         ("fillrate-player", &["fillrate-call", "fillrate-trace"]),

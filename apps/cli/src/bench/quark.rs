@@ -85,8 +85,8 @@ impl Prepared {
         let is_scene = matches!(kind, Kind::Scene | Kind::Faces | Kind::GlideFaces);
         let scene = if is_scene { terrain()? } else { Vec::new() };
         let faces = match kind {
-            Kind::Layers { gouraud, front_to_back, .. } => {
-                quads((width, height), gouraud, front_to_back)
+            Kind::Layers { mode, gouraud, front_to_back, .. } => {
+                quads((width, height), gouraud, front_to_back, mode.is_textured())
             }
             Kind::Small => small((width, height)),
             _ => project(&scene, &gpu),
@@ -200,8 +200,15 @@ fn skin() -> Result<Arc<Texture>> {
     Ok(Arc::new(Texture::new(&texels, 64, 64, -1)?))
 }
 
-/// Full-screen quads, each nearer than the one before, or farther.
-fn quads((width, height): (u32, u32), gouraud: bool, front_to_back: bool) -> Vec<[Vertex; 3]> {
+/// Full-screen quads, each nearer than the one before, or farther: upright, or
+/// floors whose upper edges are three times as far.
+fn quads(
+    (width, height): (u32, u32),
+    gouraud: bool,
+    front_to_back: bool,
+    floor: bool,
+) -> Vec<[Vertex; 3]> {
+    let far = if floor { 3 } else { 1 };
     let mut random = Random(0x1234_5678);
     let mut out = Vec::new();
     for layer in 0..OVERDRAW {
@@ -217,9 +224,8 @@ fn quads((width, height): (u32, u32), gouraud: bool, front_to_back: bool) -> Vec
             u: x * 900,
             v: y * 900,
         };
-        // A floor: the upper edge three times as far.
         let (a, b) = (corner(0, 1, 1, light()), corner(1, 1, 1, light()));
-        let (c, d) = (corner(1, 0, 3, light()), corner(0, 0, 3, light()));
+        let (c, d) = (corner(1, 0, far, light()), corner(0, 0, far, light()));
         out.extend([[a, b, c], [a, c, d]]);
     }
     out

@@ -116,10 +116,13 @@ impl Chunk {
         let batch = &arena.states[state];
         let units = batch.pipeline.unit_count;
         let index = self.triangles.list.len() as u32;
-        let Some(triangle) = prepare(launch, &batch.screen, state, units, &mut self.triangles)
-        else {
-            return;
+        let screen = &batch.screen;
+        let triangle = if screen.scale == 1 {
+            prepare(launch, screen, state, units, &mut self.triangles)
+        } else {
+            prepare(&launch.scaled(screen.scale), screen, state, units, &mut self.triangles)
         };
+        let Some(triangle) = triangle else { return };
         let entry = Entry::Triangle(index);
         add_edges(&mut self.pairs, &triangle.bounds, triangle_edges(triangle), entry, grid);
     }

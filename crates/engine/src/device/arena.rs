@@ -71,9 +71,10 @@ impl BatchState {
         textures: &[Option<Arc<Texture>>; MAX_TMUS],
         target: &Surface,
         has_aux: bool,
+        scale: u32,
     ) -> BatchState {
         let (width, height) = (target.width(), target.height());
-        let screen = Screen { width, height, origin: state.origin };
+        let screen = Screen { width, height, origin: state.origin, scale };
         BatchState {
             pipeline: Pipeline::new(state, textures, target.format(), has_aux),
             pixel_pipeline: None,
@@ -88,7 +89,9 @@ impl BatchState {
 fn screen_clip(state: &DrawState, screen: &Screen) -> Rect {
     let all = Rect::new(0, 0, screen.width, screen.height);
     let Some(clip) = state.clip else { return all };
-    let clip = clip.intersect(&all);
+    let [x0, y0, x1, y1] =
+        [clip.x0, clip.y0, clip.x1, clip.y1].map(|v| v.saturating_mul(screen.scale));
+    let clip = Rect::new(x0, y0, x1, y1).intersect(&all);
     match state.origin {
         Origin::UpperLeft => clip,
         Origin::LowerLeft => {
@@ -104,6 +107,7 @@ struct TargetShape {
     size: (u32, u32),
     format: PixelFormat,
     has_aux: bool,
+    scale: u32,
 }
 
 /// A state and the addresses of its textures, which the compiled state keeps
@@ -126,9 +130,10 @@ impl States {
         textures: &[Option<Arc<Texture>>; MAX_TMUS],
         target: &Surface,
         has_aux: bool,
+        scale: u32,
     ) -> u32 {
         let size = (target.width(), target.height());
-        let shape = TargetShape { size, format: target.format(), has_aux };
+        let shape = TargetShape { size, format: target.format(), has_aux, scale };
         if self.shape != Some(shape) {
             self.clear();
             self.shape = Some(shape);
@@ -142,7 +147,7 @@ impl States {
             return index;
         }
         let index = self.list.len() as u32;
-        self.list.push(BatchState::new(state, textures, target, has_aux));
+        self.list.push(BatchState::new(state, textures, target, has_aux, scale));
         self.index.insert(key, index);
         index
     }

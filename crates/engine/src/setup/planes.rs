@@ -159,7 +159,12 @@ pub(crate) struct Screen {
     pub width: u32,
     pub height: u32,
     pub origin: Origin,
+    /// Surface pixels of a pixel that coordinates count, 1 to [`MAX_SCALE`].
+    pub scale: u32,
 }
+
+/// The largest scale: the products of an edge still fit.
+pub const MAX_SCALE: u32 = 4;
 
 /// Limits below which f64 iteration and division are exact: s and t are
 /// multiplied by 256 and must stay below 2^53, w keeps to the 48 bits it has.
@@ -355,7 +360,7 @@ mod tests {
     use super::*;
     use crate::setup::{Param, Registers};
 
-    const SCREEN: Screen = Screen { width: 64, height: 64, origin: Origin::UpperLeft };
+    const SCREEN: Screen = Screen { width: 64, height: 64, origin: Origin::UpperLeft, scale: 1 };
 
     fn right_triangle() -> Registers {
         // (8.5, 8.5), (16.5, 8.5), (16.5, 16.5): the centres on the left edge

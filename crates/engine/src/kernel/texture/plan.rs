@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::kernel::combine::{Arithmetic, Switches};
 use crate::state::{Addend, CombineUnit, Filter, TextureCombine, TextureFactor, TextureUnit};
-use crate::texture::Texture;
+use crate::texture::{MAX_LEVELS, Texture};
 
 /// Level tables of a texture, indexed by level of detail; the level a split
 /// chain lacks is already replaced.
@@ -41,7 +41,7 @@ pub(crate) struct UnitPlan {
 }
 
 /// The coarsest level of detail there is.
-const COARSEST: i32 = 0x800;
+const COARSEST: i32 = (MAX_LEVELS as i32 - 1) << 8;
 
 impl UnitPlan {
     /// Compiles unit `index`; `has_other` where a unit upstream is in use.
