@@ -8,7 +8,9 @@ use fillrate_call::Tagged;
 use fillrate_engine::{Counters, DeviceConfig};
 use fillrate_glide::Call;
 use fillrate_simd::Level;
-use fillrate_testkit::fuzz::{Bytes, Fuzzer, Target, any_call, context, input, run_stream};
+use fillrate_testkit::fuzz::{
+    Bytes, Fuzzer, Target, any_call, any_quark_call, context, input, run_quark, run_stream,
+};
 
 /// A number from the environment.
 fn setting(name: &str, default: u64) -> u64 {
@@ -42,6 +44,34 @@ fn texels_of_every_format_are_what_their_bytes_say() {
 #[test]
 fn any_texture_file_is_survived() {
     run(Target::Files);
+}
+
+#[test]
+fn any_stream_of_quark_calls_is_survived() {
+    run(Target::Quark);
+}
+
+/// Streams of Quark 3D hold every call, and draw the same on any number of
+/// threads.
+#[test]
+fn quark_streams_are_whole_and_steady() {
+    let mut seen = BTreeSet::new();
+    let mut shown = BTreeSet::new();
+    for seed in 0..2_000 {
+        let bytes = input(seed);
+        let mut from = Bytes::new(&bytes);
+        while !from.is_empty() {
+            seen.insert(any_quark_call(&mut from).tag());
+        }
+        if seed % 10 == 0 {
+            let frames = run_quark(&bytes, 1);
+            assert_eq!(frames, run_quark(&bytes, 3), "FILLRATE_SEED={seed}");
+            shown.extend(frames);
+        }
+    }
+    let all: BTreeSet<u16> = fillrate_quark::Call::VARIANTS.iter().map(|(tag, _)| *tag).collect();
+    assert_eq!(seen, all);
+    assert!(shown.len() > 50, "{} pictures", shown.len());
 }
 
 /// Every call there is, calls of the next release included.

@@ -58,8 +58,11 @@ pub fn demo(args: &DemoArgs) -> Result<Outcome> {
 }
 
 /// The folders of examples, each with the library its programs link.
-const EXAMPLES: [(&str, &str); 2] =
-    [("examples/glide", library::GLIDE2X), ("examples/raw", library::RENDER_CLIENT)];
+const EXAMPLES: [(&str, &str); 3] = [
+    ("examples/glide", library::GLIDE2X),
+    ("examples/raw", library::RENDER_CLIENT),
+    ("examples/quark", library::QUARK3D),
+];
 
 /// A program of the examples.
 struct Scene {
@@ -92,7 +95,7 @@ fn scenes(source: &Path, prefix: &str) -> Result<Vec<Scene>> {
         for entry in std::fs::read_dir(folder)? {
             let file = entry?.path();
             let Some(name) = file.file_stem().and_then(|name| name.to_str()) else { continue };
-            let is_program = file.extension().is_some_and(|extension| extension == "c");
+            let is_program = file.extension().is_some_and(|e| e == "c" || e == "cpp");
             if is_program && !name.starts_with("common") && name.starts_with(prefix) {
                 scenes.push(Scene { name: name.to_string(), file: file.clone(), library });
             }
@@ -102,13 +105,16 @@ fn scenes(source: &Path, prefix: &str) -> Result<Vec<Scene>> {
     Ok(scenes)
 }
 
-/// Builds an example with the system's C compiler, as its author would.
+/// Builds an example with the system's C or C++ compiler, as its author would.
 fn compile(source: &Path, scene: &Scene, build: &Path) -> Result<PathBuf> {
     let program = build.join(&scene.name);
-    let compiler = std::env::var("CC").unwrap_or_else(|_| "cc".into());
+    let is_cpp = scene.file.extension().is_some_and(|extension| extension == "cpp");
+    let (variable, usual, standard) =
+        if is_cpp { ("CXX", "c++", "-std=c++17") } else { ("CC", "cc", "-std=c99") };
+    let compiler = std::env::var(variable).unwrap_or_else(|_| usual.into());
     let common = scene.file.with_file_name("common.c");
     let mut command = Command::new(&compiler);
-    command.args(["-std=c99", "-O2", "-I"]).arg(source.join("include")).arg(&scene.file);
+    command.args([standard, "-O2", "-I"]).arg(source.join("include")).arg(&scene.file);
     if common.is_file() {
         command.arg(common);
     }
@@ -116,7 +122,7 @@ fn compile(source: &Path, scene: &Scene, build: &Path) -> Result<PathBuf> {
     command.arg(format!("-l{}", scene.library)).arg("-lm");
     let output = command
         .output()
-        .with_context(|| format!("cannot start the C compiler '{compiler}'; set CC"))?;
+        .with_context(|| format!("cannot start the compiler '{compiler}'; set {variable}"))?;
     if !output.status.success() {
         bail!("{} does not compile:\n{}", scene.name, String::from_utf8_lossy(&output.stderr));
     }
@@ -136,6 +142,7 @@ fn draw(args: &DemoArgs, scene: &Scene, program: &Path, build: &Path) -> Result<
             folder: &folder,
             trace: None,
             variables: Vec::new(),
+            quiet: true,
         },
     )?;
     if !finished.success {

@@ -19,8 +19,10 @@ pub fn file_name(library: &str) -> String {
 pub const GLIDE2X: &str = "glide2x";
 /// The client interface of the Raw pipeline.
 pub const RENDER_CLIENT: &str = "render_client";
+/// Quark 3D.
+pub const QUARK3D: &str = "quark3d";
 /// Every drop-in library.
-pub const LIBRARIES: [&str; 2] = [GLIDE2X, RENDER_CLIENT];
+pub const LIBRARIES: [&str; 3] = [GLIDE2X, RENDER_CLIENT, QUARK3D];
 
 /// The variable that makes the dynamic linker look into our folder first.
 pub const SEARCH_PATH: &str =

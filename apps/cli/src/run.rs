@@ -1,7 +1,7 @@
 //! `fillrate run`: a program with our library found first.
 
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result};
@@ -56,6 +56,15 @@ pub struct RunArgs {
     /// Show the start-up picture when a board is opened
     #[arg(long)]
     pub splash: bool,
+    /// Draw every pixel as N by N, 1 to 4
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=4))]
+    pub scale: Option<u8>,
+    /// Scale pictures back: each pixel is the mean of those drawn for it
+    #[arg(long)]
+    pub supersample: bool,
+    /// Eight bits a colour channel, without dithering
+    #[arg(long)]
+    pub color32: bool,
     /// Settings file, instead of the fillrate.toml found
     #[arg(long, value_name = "FILE")]
     pub config: Option<PathBuf>,
@@ -114,6 +123,8 @@ pub struct Request<'a> {
     pub trace: Option<&'a Path>,
     /// Further variables.
     pub variables: Vec<(&'static str, String)>,
+    /// Drop what the program prints, so that it does not mix with ours.
+    pub quiet: bool,
 }
 
 /// Runs a program and reads back what the library noted of its frames.
@@ -133,6 +144,9 @@ pub fn execute(program: &[std::ffi::OsString], request: &Request<'_>) -> Result<
     }
     if let Some(trace) = request.trace {
         command.env("FILLRATE_TRACE", trace);
+    }
+    if request.quiet {
+        command.stdout(Stdio::null());
     }
     let start = Instant::now();
     let status =
@@ -169,6 +183,9 @@ impl RunArgs {
             ("FILLRATE_GAMMA", on(self.gamma)),
             ("FILLRATE_FILTER", on(self.filter)),
             ("FILLRATE_SPLASH", on(self.splash)),
+            ("FILLRATE_SCALE", self.scale.map(|n| n.to_string())),
+            ("FILLRATE_SUPERSAMPLE", on(self.supersample)),
+            ("FILLRATE_COLOR32", on(self.color32)),
         ]
         .into_iter()
         .filter_map(|(name, value)| Some((name, value?)))
@@ -191,6 +208,7 @@ pub fn run(args: &RunArgs) -> Result<Outcome> {
             folder,
             trace: args.trace.as_deref(),
             variables: args.variables(),
+            quiet: false,
         },
     )?;
     report(args, &finished)?;

@@ -5,6 +5,7 @@ use fillrate_engine::DeviceConfig;
 use fillrate_glide::card::Card;
 use fillrate_glide::{Call, Context, GlideConfig};
 use fillrate_player::{Frame, Pixels, Target, TargetError};
+use fillrate_quark as quark;
 use fillrate_raw as raw;
 use fillrate_trace::Meta;
 use fillrate_trace::meta::CONFIG_PREFIX;
@@ -26,7 +27,8 @@ impl Target for AnyTarget {
     fn start(&mut self, meta: &Meta) -> Result<(), TargetError> {
         let target: Box<dyn Target> = match meta.get("api") {
             None | Some("glide2x") => Box::new(GlideTarget::start(meta, &self.device)?),
-            Some("raw") => Box::new(RawTarget::start(meta)?),
+            Some("raw") => Box::new(RawTarget::start(meta, self.device.threads)?),
+            Some("quark3d") => Box::new(QuarkTarget(quark::Context::new(self.device.clone()))),
             Some(api) => {
                 return Err(format!("the trace holds calls of {api}, which is unknown").into());
             }
@@ -86,8 +88,8 @@ impl Target for GlideTarget {
 struct RawTarget(raw::Context);
 
 impl RawTarget {
-    fn start(meta: &Meta) -> Result<RawTarget, TargetError> {
-        let mut config = raw::Config::default();
+    fn start(meta: &Meta, threads: usize) -> Result<RawTarget, TargetError> {
+        let mut config = raw::Config { threads, ..raw::Config::default() };
         if let Some(size) = meta.get("size") {
             let sides = size
                 .split_once('x')
@@ -119,5 +121,27 @@ impl Target for RawTarget {
     fn frame(&mut self) -> Option<Frame> {
         let shown = self.0.shown()?;
         Frame::new(shown.width, shown.height, Pixels::Rgba8(shown.rgba)).ok()
+    }
+}
+
+/// Executes recorded calls of Quark 3D.
+struct QuarkTarget(quark::Context);
+
+impl Target for QuarkTarget {
+    fn start(&mut self, _meta: &Meta) -> Result<(), TargetError> {
+        Ok(())
+    }
+
+    fn execute(&mut self, call: &[u8], blobs: &dyn BlobSource) -> Result<(), TargetError> {
+        let mut decoder = Decoder::with_blobs(call, blobs);
+        let call: quark::Call = decoder.value()?;
+        decoder.finish()?;
+        self.0.execute(&call);
+        Ok(())
+    }
+
+    fn frame(&mut self) -> Option<Frame> {
+        let shown = self.0.shown()?;
+        Frame::new(shown.width, shown.height, Pixels::Rgba8(shown.rgba8888())).ok()
     }
 }

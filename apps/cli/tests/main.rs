@@ -4,6 +4,8 @@
 mod card;
 #[path = "conformance/mod.rs"]
 mod conformance;
+#[path = "quark/mod.rs"]
+mod quark;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -101,8 +103,10 @@ fn gallery_is_the_same_everywhere() {
 /// Compiles a program as its author would; returns where it is.
 fn compile(file: &Path, library: &str, folder: &Path) -> PathBuf {
     let program = folder.join(file.file_stem().expect("a name"));
-    run(Command::new("cc")
-        .args(["-std=c99", "-O2", "-I"])
+    let is_cpp = file.extension().is_some_and(|extension| extension == "cpp");
+    let (compiler, standard) = if is_cpp { ("c++", "-std=c++17") } else { ("cc", "-std=c99") };
+    run(Command::new(compiler)
+        .args([standard, "-O2", "-I"])
         .arg(root().join("include"))
         .arg(file)
         .arg("-o")
@@ -118,7 +122,7 @@ fn compile(file: &Path, library: &str, folder: &Path) -> PathBuf {
 fn examples(folder: &str) -> Vec<PathBuf> {
     let files = std::fs::read_dir(root().join(folder)).expect("examples exist");
     let files = files.map(|entry| entry.expect("a file").path());
-    files.filter(|file| file.extension().is_some_and(|extension| extension == "c")).collect()
+    files.filter(|file| file.extension().is_some_and(|e| e == "c" || e == "cpp")).collect()
 }
 
 /// A recording of every example replays to the same hashes.
@@ -126,7 +130,9 @@ fn examples(folder: &str) -> Vec<PathBuf> {
 fn recordings_replay_to_the_same_frames() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut count = 0;
-    for (examples_of, library) in [("glide", "glide2x"), ("raw", "render_client")] {
+    for (examples_of, library) in
+        [("glide", "glide2x"), ("raw", "render_client"), ("quark", "quark3d")]
+    {
         for file in examples(&format!("examples/{examples_of}")) {
             let program = compile(&file, library, folder.path());
             let trace = folder.path().join("trace");
@@ -140,7 +146,7 @@ fn recordings_replay_to_the_same_frames() {
             count += 1;
         }
     }
-    assert!(count >= 24, "{count}");
+    assert!(count >= 39, "{count}");
 }
 
 /// A client of the Raw pipeline draws the same on the other side of pipes: on one tile, on sixteen,
@@ -159,7 +165,7 @@ fn raw_clients_draw_the_same_over_every_transport() {
             .collect();
         frames.sort();
         let last = std::fs::read(frames.last().expect("a frame")).expect("a picture");
-        for (build, out) in [("single", &single), ("grid", &grid)] {
+        for (build, out) in [("single", &single), ("grid", &grid), ("fast", &grid)] {
             let mut serve = fillrate();
             serve.args(["raw", "serve", "--build", build, "--out"]).arg(out);
             run(serve.arg("--").arg(&program));
@@ -253,7 +259,8 @@ fn dependencies_point_one_way() {
         ("fillrate-engine", &["fillrate-simd"]),
         ("fillrate-glide", &["fillrate-engine", "fillrate-call"]),
         ("fillrate-settings", &["fillrate-glide", "fillrate-engine", "fillrate-simd"]),
-        ("fillrate-raw", &["fillrate-engine", "fillrate-call"]),
+        ("fillrate-raw", &["fillrate-call"]),
+        ("fillrate-quark", &["fillrate-engine", "fillrate-call"]),
         ("fillrate-trace", &["fillrate-call"]),
         ("fillrate-player", &["fillrate-call", "fillrate-trace"]),
     ]);

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use anyhow::{Result, bail};
 use fillrate_engine::DeviceConfig;
 use fillrate_glide::card::{Card, RESOLUTIONS};
-use fillrate_glide::{Call, Context, GlideConfig, GrVertex, Shown, gu};
+use fillrate_glide::{Call, Context, GlideConfig, GrVertex, Improvements, Shown, gu};
 
 use crate::level::{Level, Surface};
 use crate::memory::{Placed, TextureMemory};
@@ -28,6 +28,8 @@ pub struct DrawOptions {
     pub device: DeviceConfig,
     /// Report misuse of the API.
     pub check: bool,
+    /// More pixels and colours than the board has.
+    pub improve: Improvements,
 }
 
 /// What a frame took.
@@ -109,7 +111,8 @@ impl Renderer {
             bail!("{} has one texture unit: use two passes", options.card.name);
         }
         let (device, card, check) = (options.device.clone(), options.card.clone(), options.check);
-        let config = GlideConfig { device, card, check, ..GlideConfig::default() };
+        let improve = options.improve;
+        let config = GlideConfig { device, card, check, improve, ..GlideConfig::default() };
         let mut glide = Context::new(config)?;
         glide.execute(&Call::GrGlideInit {});
         let open = Call::GrSstWinOpen {

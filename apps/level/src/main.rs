@@ -9,6 +9,7 @@ use std::time::Duration;
 use anyhow::{Context, Result, bail};
 use clap::Parser;
 use fillrate_engine::DeviceConfig;
+use fillrate_glide::Improvements;
 use fillrate_glide::card::{Card, RESOLUTIONS};
 use fillrate_level::assets::Assets;
 use fillrate_level::camera::Path;
@@ -67,6 +68,15 @@ struct Options {
     /// Frames as on the monitor: with the board's gamma
     #[arg(long)]
     gamma: bool,
+    /// Draw every pixel as N by N
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=4))]
+    scale: u8,
+    /// Scale frames back: each pixel is the mean of those drawn for it
+    #[arg(long)]
+    supersample: bool,
+    /// Eight bits a colour channel, without dithering
+    #[arg(long)]
+    color32: bool,
     /// Report every misuse of Glide
     #[arg(long)]
     check: bool,
@@ -99,6 +109,11 @@ fn draw_options(options: &Options, passes: u32) -> Result<DrawOptions> {
         fog: options.fog,
         device,
         check: options.check,
+        improve: Improvements {
+            scale: u32::from(options.scale),
+            color32: options.color32,
+            supersample: options.supersample,
+        },
     })
 }
 

@@ -52,9 +52,9 @@ impl Output {
     /// # Errors
     /// Those of the file system.
     pub fn frame(&mut self, shown: Shown) -> Result<()> {
-        let (width, height) = (shown.width, shown.height);
-        let pixels = shown.on_monitor(self.scan_out);
-        let rgba = pixels.iter().flat_map(|&[r, g, b]| [r, g, b, 255]).collect();
+        let picture = shown.on_monitor(self.scan_out);
+        let (width, height) = (picture.width, picture.height);
+        let rgba = picture.pixels.iter().flat_map(|&[r, g, b]| [r, g, b, 255]).collect();
         let frame = Frame::new(width, height, Pixels::Rgba8(rgba))?;
         if let Some(folder) = &self.folder {
             frame.save_png(&folder.join(format!("frame_{:05}.png", self.frames)))?;

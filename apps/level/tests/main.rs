@@ -4,8 +4,8 @@
 use std::collections::BTreeSet;
 
 use fillrate_engine::DeviceConfig;
-use fillrate_glide::Shown;
 use fillrate_glide::card::Card;
+use fillrate_glide::{Improvements, Shown};
 use fillrate_level::bsp::Bsp;
 use fillrate_level::camera::Path;
 use fillrate_level::draw::{Difference, DrawOptions, Renderer};
@@ -25,6 +25,7 @@ fn renderer(level: &Level, passes: u32, fog: Option<f32>, threads: usize) -> Ren
         fog,
         device: DeviceConfig { threads, ..DeviceConfig::default() },
         check: true,
+        improve: Improvements::default(),
     };
     Renderer::new(options, level.surfaces.len()).expect("the board opens")
 }
@@ -115,6 +116,7 @@ fn texture_memory_is_managed() {
         fog: None,
         device: DeviceConfig { threads: 1, ..DeviceConfig::default() },
         check: true,
+        improve: Improvements::default(),
     };
     let mut tight = Renderer::new(small, level.surfaces.len()).expect("the board opens");
     let mut wide = renderer(&level, 2, None, 1);

@@ -12,12 +12,13 @@ pub fn frame_of(shown: &Shown) -> Option<Frame> {
 
 /// What its monitor shows; `None` where that is what the buffer holds.
 pub fn on_monitor(shown: &Shown, scan_out: ScanOut) -> Option<Frame> {
-    if scan_out == ScanOut::default() {
+    if scan_out == ScanOut::default() && shown.detail.is_none() {
         return None;
     }
-    let pixels = shown.on_monitor(scan_out);
-    let rgba = pixels.into_iter().flat_map(|[r, g, b]| [r, g, b, 255]).collect();
-    Frame::new(shown.width, shown.height, Pixels::Rgba8(rgba)).ok()
+    let picture = shown.on_monitor(scan_out);
+    let (width, height) = (picture.width, picture.height);
+    let rgba = picture.pixels.into_iter().flat_map(|[r, g, b]| [r, g, b, 255]).collect();
+    Frame::new(width, height, Pixels::Rgba8(rgba)).ok()
 }
 
 /// What the engine has drawn.

@@ -31,6 +31,14 @@ fn size(text: &str) -> Result<(u32, u32), String> {
     }
 }
 
+/// Threads of the fast path; 0 for the scalar reference.
+fn threads(text: &str) -> Result<usize, String> {
+    match number(text)? {
+        n @ 0..=256 => Ok(n as usize),
+        _ => Err("it is outside 0 to 256".into()),
+    }
+}
+
 fn errata(text: &str) -> Result<Errata, String> {
     Errata::by_name(text).ok_or_else(|| "they are 'correct' or 'faithful'".to_string())
 }
@@ -50,6 +58,8 @@ impl Settings {
         if let Some((width, height)) = variable("FILLRATE_RAW_SIZE", size) {
             config = config.sized(width, height);
         }
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        config.threads = variable("FILLRATE_THREADS", threads).unwrap_or(cores);
         config.errata = variable("FILLRATE_RAW_ERRATA", errata).unwrap_or(config.errata);
         Settings {
             config,

@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
-use fillrate_engine::state::{FogTable, MAX_TMUS, Origin};
+use fillrate_engine::state::{Blend, Dither, FogTable, MAX_TMUS, Origin};
 use fillrate_engine::{Counters, Device, DrawState, PixelFormat, Registers, SurfaceId, Texture};
 
 use crate::card::{Card, RESOLUTIONS};
 use crate::clock::Clock;
 use crate::enums::{MIPMAP_DISABLE, RESOLUTION_NONE};
 use crate::gu::MipMaps;
+use crate::improve::Improvements;
 use crate::lfb::Lfb;
 use crate::registers::{FbiRegisters, TmuRegisters, fbz};
 use crate::scanout::GammaTable;
@@ -92,12 +93,13 @@ pub(crate) struct Board {
     /// How vertices are read, while not dirty.
     pub rules: VertexRules,
     pub dither_subtract: bool,
+    pub improve: Improvements,
     /// Drop triangles with a corner out of range.
     pub bounds_check: bool,
 }
 
 impl Board {
-    pub fn new(card: Card, device: Device, variables: &Variables) -> Board {
+    pub fn new(card: Card, device: Device, variables: &Variables, improve: Improvements) -> Board {
         let memory = || TextureMemory::new(card.texture_bytes());
         Board {
             device,
@@ -120,6 +122,7 @@ impl Board {
             dirty: true,
             rules: VertexRules::default(),
             dither_subtract: !variables.no_dither_subtraction,
+            improve,
             bounds_check: variables.bounds_check,
         }
     }
@@ -170,8 +173,12 @@ impl Board {
         aux: bool,
     ) -> Result<Buffers, fillrate_engine::EngineError> {
         let mut buffers = Buffers { width, height, colors: Vec::new(), aux: None };
+        let Improvements { scale, .. } = self.improve;
+        let (width, height) = (width * scale, height * scale);
+        let format = self.improve.color_format();
+        self.device.set_scale(scale);
         for _ in 0..colors {
-            buffers.colors.push(self.device.create_surface(width, height, PixelFormat::Rgb565)?);
+            buffers.colors.push(self.device.create_surface(width, height, format)?);
         }
         if aux {
             buffers.aux = Some(self.device.create_surface(width, height, PixelFormat::Aux16)?);
@@ -222,7 +229,11 @@ impl Board {
 
     /// The state and textures that [`Board::update`] tells the engine.
     pub fn engine_state(&mut self) -> (DrawState, [Option<Arc<Texture>>; MAX_TMUS]) {
-        let state = draw_state(&self.fbi, &self.tmus, &self.fog_table);
+        let mut state = draw_state(&self.fbi, &self.tmus, &self.fog_table);
+        if self.improve.color32 {
+            state.dither = Dither::Off;
+            state.blend = state.blend.map(|blend| Blend { subtract_dither: false, ..blend });
+        }
         let textures = self.textures(&state);
         (state, textures)
     }

@@ -5,7 +5,7 @@ use fillrate_engine::{ClearValues, FlushReason};
 
 use crate::board::Board;
 use crate::registers::fbz;
-use crate::scanout::{GammaTable, gamma_table};
+use crate::scanout::{GammaTable, Picture, gamma_table};
 
 /// What the board shows.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -20,6 +20,9 @@ pub struct Shown {
     pub gamma: [GammaTable; 3],
     /// The screen filter's thresholds for red, green and blue.
     pub thresholds: [u8; 3],
+    /// The picture in all its detail, where improvements give it more than
+    /// `pixels` have.
+    pub detail: Option<Picture>,
 }
 
 impl Board {
@@ -42,12 +45,15 @@ impl Board {
     /// Fills the clip window of the current target.
     pub(crate) fn fill(&mut self, values: ClearValues) {
         let Some(buffers) = &self.buffers else { return };
-        let rect = self.clip_on_screen(buffers.height);
+        let rect = self.on_surface(self.clip_on_screen(buffers.height));
         self.device.clear(rect, values);
     }
 
     /// The dithering in use.
     pub(crate) fn dither(&self) -> Dither {
+        if self.improve.color32 {
+            return Dither::Off;
+        }
         match (self.fbi.fbz_mode & fbz::DITHER != 0, self.fbi.fbz_mode & fbz::DITHER_2X2 != 0) {
             (false, _) => Dither::Off,
             (true, true) => Dither::Ordered2x2,
@@ -88,9 +94,10 @@ impl Board {
         let (width, height, front) = (buffers.width, buffers.height, buffers.colors[0]);
         let mut pixels = vec![0; (width * height) as usize];
         let all = Rect::new(0, 0, width, height);
-        self.device.read16(front, all, &mut pixels, width as usize).ok()?;
+        self.read_pixels(front, all, &mut pixels, width as usize).ok()?;
         let (gamma, thresholds) = (self.gamma, self.filter_thresholds);
-        Some(Shown { width, height, pixels, gamma, thresholds })
+        let detail = self.detail();
+        Some(Shown { width, height, pixels, gamma, thresholds, detail })
     }
 
     /// Sets the gamma of all channels; others than positive numbers are

@@ -12,6 +12,7 @@ use crate::card::Card;
 use crate::clock::Clock;
 use crate::error::{GlideError, Report, historic_name};
 use crate::gu::MultiPass;
+use crate::improve::{Improvements, MAX_SCALE};
 use crate::lfb::LfbInfo;
 use crate::rules::{NOT_OPEN, NULL_POINTER};
 use crate::state::STATE_BYTES;
@@ -35,6 +36,8 @@ pub struct GlideConfig {
     /// Shows the start-up picture when a board is opened, unless
     /// `FX_GLIDE_NO_SPLASH` is among the variables.
     pub splash: bool,
+    /// More pixels and colours than the board has.
+    pub improve: Improvements,
     /// The original library's environment variables, by name.
     pub variables: BTreeMap<String, String>,
 }
@@ -47,6 +50,7 @@ impl Default for GlideConfig {
             boards: 1,
             check: false,
             splash: false,
+            improve: Improvements::default(),
             variables: BTreeMap::new(),
         }
     }
@@ -64,6 +68,8 @@ impl GlideConfig {
             ("card.interleaved", u8::from(card.interleaved).to_string()),
             ("boards", self.boards.to_string()),
             ("splash", u8::from(self.splash).to_string()),
+            ("scale", self.improve.scale.to_string()),
+            ("color32", u8::from(self.improve.color32).to_string()),
         ];
         let variables = self.variables.iter();
         let variables = variables.map(|(k, v)| (format!("{VARIABLE_PREFIX}{k}"), v.clone()));
@@ -85,6 +91,8 @@ impl GlideConfig {
                 "card.interleaved" => config.card.interleaved = number == Some(1),
                 "boards" => config.boards = number.unwrap_or(1) as usize,
                 "splash" => config.splash = number == Some(1),
+                "scale" => config.improve.scale = number.unwrap_or(1).clamp(1, MAX_SCALE),
+                "color32" => config.improve.color32 = number == Some(1),
                 other => {
                     if let Some(name) = other.strip_prefix(VARIABLE_PREFIX) {
                         config.variables.insert(name.to_string(), value);
@@ -127,6 +135,8 @@ impl Context {
         if !config.card.is_valid() {
             return Err(GlideError::Card);
         }
+        let mut config = config;
+        config.improve.scale = config.improve.scale.clamp(1, MAX_SCALE);
         let boards = Vec::new();
         let variables = Variables::new(&config.variables);
         Ok(Context {
@@ -156,7 +166,12 @@ impl Context {
         for _ in 0..self.config.boards.clamp(1, MAX_BOARDS) {
             match Device::new(self.config.device.clone()) {
                 Ok(device) => {
-                    self.boards.push(Board::new(self.config.card.clone(), device, &self.variables));
+                    self.boards.push(Board::new(
+                        self.config.card.clone(),
+                        device,
+                        &self.variables,
+                        self.config.improve,
+                    ));
                 }
                 Err(error) => self.report("grGlideInit", error.to_string()),
             }

@@ -12,7 +12,7 @@
 //!
 //! Source: G246, `grLfbLock`; SST1, linear frame buffer formats.
 
-use fillrate_engine::state::{Dither, Rect};
+use fillrate_engine::state::Rect;
 use fillrate_engine::target::{pack, unpack};
 use fillrate_engine::{PixelFormat, PixelRun, SurfaceId};
 
@@ -303,7 +303,7 @@ impl Board {
             let screen = screen_row(origin, y, height) as u32;
             let rect = Rect::new(0, screen, width as u32, screen + 1);
             // The surface is one of ours, of 16 bits.
-            let _ = self.device.read16(surface, rect, &mut row, width);
+            let _ = self.read_pixels(surface, rect, &mut row, width);
             for (x, &pixel) in row.iter().enumerate() {
                 let at = y * ROW_PIXELS + x;
                 memory[at / 2] |= in_mode(mode, format, pixel) << (16 * (at & 1));
@@ -499,7 +499,7 @@ impl Board {
             if run[0] {
                 let x = x + range.start as u32;
                 let (colors, depths) = (&colors[range.clone()], &depths[range]);
-                self.device.draw_pixels(&PixelRun { x, y, colors, depths });
+                self.draw_run(&PixelRun { x, y, colors, depths });
             }
         }
         self.fbi.fbz_mode = kept;
@@ -512,24 +512,20 @@ impl Board {
     pub(crate) fn write_raw(&mut self, buffer: i32, mode: i32, at: (u32, u32), values: &[u32]) {
         let (x, y) = at;
         let on = |bit: u32| self.fbi.fbz_mode & bit != 0;
-        let dither = match (on(fbz::DITHER), on(fbz::DITHER_2X2)) {
-            (false, _) => Dither::Off,
-            (true, true) => Dither::Ordered2x2,
-            (true, false) => Dither::Ordered4x4,
-        };
+        let (dither, surface) = (self.dither(), self.improve.color_format());
         let alpha_planes = on(fbz::ALPHA_PLANES);
         let format = self.settings.color_format;
         let (mut colors, mut aux) = (Vec::new(), Vec::new());
         for (x, &value) in (x..).zip(values) {
             let p = parts(mode, format, value);
             if let Some(rgb) = p.color {
-                colors.push(pack(PixelFormat::Rgb565, rgb, dither, x, y) as u16);
+                colors.push(pack(surface, 0xff << 24 | rgb, dither, x, y));
             }
             match (alpha_planes, p.alpha, p.depth) {
-                (true, Some(alpha), _) => aux.push(u16::from(alpha)),
-                (false, _, Some(depth)) => aux.push(depth),
+                (true, Some(alpha), _) => aux.push(u32::from(alpha)),
+                (false, _, Some(depth)) => aux.push(u32::from(depth)),
                 // ZA16 writes the aux buffer whatever it holds.
-                (true, None, Some(value)) if p.color.is_none() => aux.push(value),
+                (true, None, Some(value)) if p.color.is_none() => aux.push(u32::from(value)),
                 _ => {}
             }
         }
@@ -537,11 +533,10 @@ impl Board {
         self.store(self.surface_of(BUFFER_AUX), x, y, &aux);
     }
 
-    fn store(&mut self, surface: Option<SurfaceId>, x: u32, y: u32, elements: &[u16]) {
-        let Some(surface) = surface.filter(|_| !elements.is_empty()) else { return };
-        let rect = Rect::new(x, y, x + elements.len() as u32, y + 1);
-        // The surface is one of ours, of 16 bits.
-        let _ = self.device.write16(surface, rect, elements, elements.len());
+    fn store(&mut self, surface: Option<SurfaceId>, x: u32, y: u32, elements: &[u32]) {
+        if let Some(surface) = surface.filter(|_| !elements.is_empty()) {
+            self.write_pixels(surface, (x, y), elements);
+        }
     }
 
     /// Copies a rectangle of pixels of a source format to a buffer. Rows count
@@ -675,7 +670,7 @@ impl Board {
         let (width, height) = (width.min(ROW_PIXELS as u32), height.min(ROW_PIXELS as u32));
         let mut pixels = vec![0; (width * height) as usize];
         let rect = Rect::new(x, y, x.saturating_add(width), y.saturating_add(height));
-        self.device.read16(surface, rect, &mut pixels, width as usize).ok()?;
+        self.read_pixels(surface, rect, &mut pixels, width as usize).ok()?;
         Some(pixels)
     }
 }

@@ -57,17 +57,33 @@ fn filter_row(row: &[[u8; 3]], thresholds: [u8; 3], out: &mut Vec<[u8; 3]>) {
     }
 }
 
+/// A picture of eight bits a channel.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    /// Columns.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// Red, green, blue of each pixel, row by row from the top left.
+    pub pixels: Vec<[u8; 3]>,
+}
+
 impl Shown {
-    /// The picture on the monitor: red, green, blue of each pixel, row by row.
-    pub fn on_monitor(&self, scan_out: ScanOut) -> Vec<[u8; 3]> {
+    /// The picture on the monitor.
+    pub fn on_monitor(&self, scan_out: ScanOut) -> Picture {
         let widen = |&pixel: &u16| {
             let [_, r, g, b] = unpack(PixelFormat::Rgb565, u32::from(pixel)).to_be_bytes();
             [r, g, b]
         };
-        let mut pixels: Vec<[u8; 3]> = self.pixels.iter().map(widen).collect();
+        let plain = || Picture {
+            width: self.width,
+            height: self.height,
+            pixels: self.pixels.iter().map(widen).collect(),
+        };
+        let Picture { width, height, mut pixels } = self.detail.clone().unwrap_or_else(plain);
         if scan_out.filter {
             let mut out = Vec::with_capacity(pixels.len());
-            for row in pixels.chunks(self.width.max(1) as usize) {
+            for row in pixels.chunks(width.max(1) as usize) {
                 filter_row(row, self.thresholds, &mut out);
             }
             pixels = out;
@@ -79,7 +95,7 @@ impl Shown {
                 }
             }
         }
-        pixels
+        Picture { width, height, pixels }
     }
 }
 
@@ -94,19 +110,20 @@ mod tests {
             pixels,
             gamma: [gamma_table(gamma); 3],
             thresholds: FILTER_THRESHOLDS,
+            detail: None,
         }
     }
 
     #[test]
     fn gamma_one_changes_nothing_and_others_keep_the_ends() {
         let all: Vec<u16> = (0..=0xffff).collect();
-        let raw = shown(all.clone(), 1.0).on_monitor(ScanOut::default());
+        let raw = shown(all.clone(), 1.0).on_monitor(ScanOut::default()).pixels;
         let scan = ScanOut { gamma: true, filter: false };
-        let one = shown(all.clone(), 1.0).on_monitor(scan);
+        let one = shown(all.clone(), 1.0).on_monitor(scan).pixels;
         // The last step of the table is one of seven.
         let near = |(a, b): (&[u8; 3], &[u8; 3])| (0..3).all(|i| a[i].abs_diff(b[i]) <= 1);
         assert!(raw.iter().zip(&one).all(near));
-        let bright = shown(all, 1.7).on_monitor(scan);
+        let bright = shown(all, 1.7).on_monitor(scan).pixels;
         assert_eq!((bright[0], bright[0xffff]), ([0; 3], one[0xffff]));
         // 0x84 is 132: 255 * (128/255)^(1/1.7) = 170, (136/255)... = 176.
         assert_eq!(bright[0x8410][0], 173);
@@ -116,10 +133,10 @@ mod tests {
     fn the_filter_mixes_what_dithering_parted_and_keeps_edges() {
         let scan = ScanOut { gamma: false, filter: true };
         // Neighbouring greens of one step alternate: they become even.
-        let row = shown(vec![0x0020, 0x0040, 0x0020, 0x0040], 1.0).on_monitor(scan);
+        let row = shown(vec![0x0020, 0x0040, 0x0020, 0x0040], 1.0).on_monitor(scan).pixels;
         assert_eq!([row[1], row[2]], [[0, 6, 0]; 2]);
         let edge = vec![0, 0, 0xffff, 0xffff];
-        let raw = shown(edge.clone(), 1.0).on_monitor(ScanOut::default());
-        assert_eq!(shown(edge, 1.0).on_monitor(scan), raw);
+        let raw = shown(edge.clone(), 1.0).on_monitor(ScanOut::default()).pixels;
+        assert_eq!(shown(edge, 1.0).on_monitor(scan).pixels, raw);
     }
 }

@@ -225,6 +225,9 @@ fn chain(units: &[TmuRegisters]) -> [Option<TextureUnit>; MAX_TMUS] {
     chain
 }
 
+/// Level of detail of the smallest map a board has, one texel, 8 fraction bits.
+const SMALLEST_LEVEL: u32 = 0x800;
+
 fn texture_unit(registers: &TmuRegisters) -> TextureUnit {
     let (mode, lod) = (registers.texture_mode, registers.t_lod);
     let on = |bit: u32| mode & bit != 0;
@@ -238,8 +241,8 @@ fn texture_unit(registers: &TmuRegisters) -> TextureUnit {
         clamp_s: on(texture_mode::CLAMP_S),
         clamp_t: on(texture_mode::CLAMP_T),
         lod: LodRange {
-            min: ((lod & 63) << 6) as u16,
-            max: ((lod >> 6 & 63) << 6) as u16,
+            min: ((lod & 63) << 6).min(SMALLEST_LEVEL) as u16,
+            max: ((lod >> 6 & 63) << 6).min(SMALLEST_LEVEL) as u16,
             bias: i16::from(signed6(lod >> 12 & 63)) << 6,
         },
         lod_dither: on(texture_mode::LOD_DITHER),

@@ -1,5 +1,6 @@
 //! Textures: base colours, one byte a texel.
 
+use std::fmt;
 use std::sync::Arc;
 
 use fillrate_engine::{Texture as Texels, TextureDesc};
@@ -17,13 +18,19 @@ pub const KEY_TEXEL: u8 = 0;
 /// A texture, or a sprite. Immutable; cheap to share.
 ///
 /// Source: QK, `CTexture`.
-#[derive(Debug)]
 pub struct Texture {
     width: i32,
     height: i32,
     keyed: bool,
     texels: Vec<u8>,
     engine: Arc<Texels>,
+}
+
+impl fmt::Debug for Texture {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let kind = if self.keyed { "keyed" } else { "without key" };
+        write!(f, "Texture({}x{}, {kind})", self.width, self.height)
+    }
 }
 
 /// Whether a texture of that size can be used on triangles: powers of two from

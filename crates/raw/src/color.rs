@@ -33,12 +33,47 @@ pub const fn mul(a: u32, b: u32) -> u32 {
     (a * b + 255) >> 8
 }
 
+/// Every other byte of a word: two channels with room for a product each.
+const PAIR: u32 = 0x00ff_00ff;
+
+/// Multiplies every channel with the same fraction 0..=255, as [`mul`].
+#[inline(always)]
+pub const fn scale(word: u32, k: u32) -> u32 {
+    // A product and its 255 take at most 16 bits, so two fit into a word.
+    let low = ((word & PAIR) * k + PAIR) >> 8 & PAIR;
+    let high = ((word >> 8 & PAIR) * k + PAIR) & !PAIR;
+    high | low
+}
+
+/// Multiplies two colours channel by channel, as [`mul`].
+#[inline(always)]
+pub fn modulate(x: u32, y: u32) -> u32 {
+    per_channel(x, y, mul)
+}
+
+/// Adds two colours channel by channel; sums stop at 255.
+#[inline(always)]
+pub const fn add(x: u32, y: u32) -> u32 {
+    let low = (x & PAIR) + (y & PAIR);
+    let high = (x >> 8 & PAIR) + (y >> 8 & PAIR);
+    saturate(high) << 8 | saturate(low)
+}
+
+/// Limits two 9-bit sums to 255.
+#[inline(always)]
+const fn saturate(sums: u32) -> u32 {
+    let over = sums >> 8 & 0x0001_0001;
+    (sums | (over * 0xff)) & PAIR
+}
+
 /// Blends every channel: `x` weighted by `k`, `y` by `255 - k`. The sums never exceed 255.
+#[inline(always)]
 pub fn mix(x: u32, y: u32, k: u32) -> u32 {
-    per_channel(x, y, |a, b| mul(a, k) + mul(b, 255 - k))
+    scale(x, k) + scale(y, 255 - k)
 }
 
 /// Applies `f` to each of the four channels of two colours.
+#[inline(always)]
 pub fn per_channel(x: u32, y: u32, f: impl Fn(u32, u32) -> u32) -> u32 {
     let (a, b) = (unpack(x), unpack(y));
     pack(f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3]))
@@ -55,6 +90,18 @@ mod tests {
             assert_eq!(mul(0, a), 0);
             for b in 0..=255 {
                 assert!(mul(a, b) <= a.min(b));
+            }
+        }
+    }
+
+    #[test]
+    fn words_are_four_channels() {
+        for a in 0..=255u32 {
+            for k in 0..=255 {
+                let (x, y) = (pack(a, 255 - a, a ^ 0x55, 255), pack(k, a, 255, a));
+                assert_eq!(scale(x, k), per_channel(x, 0, |c, _| mul(c, k)));
+                assert_eq!(add(x, y), per_channel(x, y, |c, d| (c + d).min(255)));
+                assert_eq!(mix(x, y, k), per_channel(x, y, |c, d| mul(c, k) + mul(d, 255 - k)));
             }
         }
     }

@@ -178,7 +178,10 @@ impl Context {
     }
 
     /// The displayed page, where the device is in this process.
-    pub fn shown(&self) -> Option<Shown> {
+    pub fn shown(&mut self) -> Option<Shown> {
+        if let Transport::Here(host) = &mut self.transport {
+            host.device_mut().flush();
+        }
         Some(shown(&self.device()?.core().target.frame, true))
     }
 }

@@ -7,6 +7,7 @@ use std::collections::VecDeque;
 
 use crate::errata::Errata;
 use crate::error::StreamError;
+use crate::fast;
 use crate::framebuffer::Pages;
 use crate::observer::Observer;
 use crate::opcode::Opcode;
@@ -38,6 +39,8 @@ pub struct Config {
     pub errata: Errata,
     /// Whether commands beyond the thesis are known.
     pub beyond: bool,
+    /// Threads that draw, the caller's included; 0 for the scalar reference. The picture is the same.
+    pub threads: usize,
 }
 
 /// The largest width and height a device accepts.
@@ -52,6 +55,7 @@ impl Default for Config {
             texture_entries: texture::DEFAULT_ENTRIES,
             errata: Errata::CORRECT,
             beyond: true,
+            threads: 0,
         }
     }
 }
@@ -249,6 +253,8 @@ pub struct Device<O = ()> {
     faults: Vec<StreamError>,
     offset: u64,
     fragments: u64,
+    /// Primitives that wait for the fast path.
+    queue: Vec<TransPrim>,
     observer: O,
 }
 
@@ -272,17 +278,19 @@ impl<O: Observer> Device<O> {
             faults: Vec::new(),
             offset: 0,
             fragments: 0,
+            queue: Vec::new(),
             observer,
         }
     }
 
-    /// State, textures and buffers.
+    /// State, textures and buffers; inside a scene the buffers may lack what [`Device::flush`] draws.
     pub fn core(&self) -> &Core {
         &self.core
     }
 
     /// State, textures and buffers, without the device.
-    pub fn into_core(self) -> Core {
+    pub fn into_core(mut self) -> Core {
+        self.flush();
         self.core
     }
 
@@ -407,6 +415,7 @@ impl<O: Observer> Device<O> {
             SceneEvent::Primitive(vertices) => self.primitive(&vertices),
             SceneEvent::EndScene => {
                 self.observer.command(Opcode::EndScene);
+                self.flush();
                 self.replies.push(READY, 1);
                 self.mode = Mode::Command;
                 return;
@@ -430,14 +439,33 @@ impl<O: Observer> Device<O> {
         info.mode.set_out_of_order(u32::from(unordered));
         let (parts, work) = geometry::process(&mut self.core.state, info, vertices, &errata);
         self.observer.primitive(&work);
-        if work.visible {
+        if !work.visible {
+            return;
+        }
+        if O::WATCHES || self.core.config.threads == 0 {
             parts.iter().for_each(|part| self.draw(part));
+            return;
+        }
+        let errata = self.core.config.errata;
+        self.queue.extend(parts.iter().map(|part| stage2_view(part, &errata)));
+        if self.queue.len() >= fast::MAX_QUEUED {
+            self.flush();
+        }
+    }
+
+    /// Draws what waits for the fast path. The end of a scene does so by itself.
+    pub fn flush(&mut self) {
+        if !self.queue.is_empty() {
+            let threads = self.core.config.threads;
+            self.fragments += fast::draw(&mut self.core, &self.queue, threads);
+            self.queue.clear();
         }
     }
 
     /// Back to the state after power-on, whatever the device is doing; the frame buffer keeps its
     /// contents. The ready word waits for the host. Beyond the thesis.
     pub fn reset_now(&mut self) {
+        self.flush();
         self.core.reset();
         self.mode = Mode::Command;
         self.params.clear();
@@ -455,7 +483,8 @@ impl<O: Observer> Device<O> {
             let textured = combine::process(&self.core.textures, &prim.info, &fragment, &errata);
             self.observer.fragment(&prim.info, walker.take_work(), &textured);
             let drawn = &textured.fragment;
-            let outcome = composite::process(&mut self.core.target, prim.info.mode, drawn, &errata);
+            let outcome =
+                composite::process_at_pixel(&mut self.core.target, prim.info.mode, drawn, &errata);
             let address = self.core.target.frame.address(drawn.x, drawn.y);
             self.observer.composite(prim.info.mode, address, &outcome);
         }

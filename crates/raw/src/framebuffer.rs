@@ -77,6 +77,12 @@ impl FrameBuffer {
         &self.pages[self.index(front)]
     }
 
+    /// The words of the back page and of the front page, to change them.
+    pub fn both_pages(&mut self) -> (&mut [u32], &mut [u32]) {
+        let [zero, one] = &mut self.pages;
+        if self.shown == 1 { (zero, one) } else { (one, zero) }
+    }
+
     fn index(&self, front: bool) -> usize {
         if front { self.shown } else { 1 - self.shown }
     }
@@ -199,6 +205,11 @@ impl DepthBuffer {
     /// All depths, row by row.
     pub fn depths(&self) -> &[i32] {
         &self.depths
+    }
+
+    /// All depths, to change them.
+    pub fn depths_mut(&mut self) -> &mut [i32] {
+        &mut self.depths
     }
 
     /// Reads a depth; addresses beyond the buffer give 0.

@@ -16,8 +16,11 @@ mod context;
 pub mod device;
 mod errata;
 mod error;
+pub mod fast;
 pub mod framebuffer;
 pub mod host;
+#[doc(hidden)]
+pub mod hostile;
 pub mod matrix;
 pub mod observer;
 pub mod opcode;

@@ -10,6 +10,9 @@ use crate::state::{ModeBits, PrimInfo};
 
 /// Receives each piece of work the renderer does. Every method does nothing by default.
 pub trait Observer {
+    /// Whether it wants to know; what nobody watches may be done another way.
+    const WATCHES: bool = true;
+
     /// A word was read from the host.
     fn word(&mut self) {}
     /// A meta record for the host interface arrived.
@@ -32,4 +35,6 @@ pub trait Observer {
     fn rows(&mut self, _work: RasterWork) {}
 }
 
-impl Observer for () {}
+impl Observer for () {
+    const WATCHES: bool = false;
+}

@@ -152,6 +152,8 @@ impl<R: Read> Iterator for RecordReader<R> {
 pub enum Build {
     /// The reference renderer, with the counters of one tile.
     Single,
+    /// The fast path on so many threads; nothing is counted.
+    Fast(usize),
     /// The grid of tiles.
     Grid(Options),
 }
@@ -208,18 +210,28 @@ where
     W: Write + 'static,
 {
     match build {
-        Build::Single => serve_single(config, records, output, log),
+        Build::Single => {
+            let device = single::observed(config, Costs::default());
+            let (device, errors) = serve_here(device, records, output, log);
+            let counters = device.observer().counters();
+            finish(device, counters, errors)
+        }
+        Build::Fast(threads) => {
+            let device = Device::new(Config { threads: threads.max(1), ..config });
+            let (device, errors) = serve_here(device, records, output, log);
+            finish(device, Counters::default(), errors)
+        }
         Build::Grid(options) => serve_grid(config, options, records, output, log),
     }
 }
 
-fn serve_single<R: Read, W: Write>(
-    config: Config,
+fn serve_here<O: Observer, R: Read, W: Write>(
+    device: Device<O>,
     records: RecordReader<R>,
     mut output: W,
     mut log: impl FnMut(&str),
-) -> Served {
-    let mut host = Host::new(single::observed(config, Costs::default()));
+) -> (Device<O>, Vec<ServeError>) {
+    let mut host = Host::new(device);
     let mut errors = Vec::new();
     for record in records {
         let result = match record {
@@ -236,11 +248,19 @@ fn serve_single<R: Read, W: Write>(
             break;
         }
     }
-    let mut device: Device<_> = host.into_device();
+    let mut device = host.into_device();
     device.observer_mut().report();
+    (device, errors)
+}
+
+fn finish<O: Observer>(
+    mut device: Device<O>,
+    counters: Counters,
+    errors: Vec<ServeError>,
+) -> Served {
     Served {
         faults: device.take_faults(),
-        counters: device.observer().counters(),
+        counters,
         core: device.into_core(),
         errors,
         cycles: None,

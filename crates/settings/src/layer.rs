@@ -12,6 +12,7 @@ pub(crate) struct Layer {
     pub draw: Draw,
     pub board: Board,
     pub output: Output,
+    pub improve: Improve,
     /// Boards by name.
     pub cards: BTreeMap<String, CardTable>,
     /// The original library's variables.
@@ -44,6 +45,14 @@ pub(crate) struct Output {
     pub exit_after: Option<u64>,
     pub gamma: Option<bool>,
     pub filter: Option<bool>,
+}
+
+#[derive(Clone, Debug, Default, Deserialize, PartialEq)]
+#[serde(deny_unknown_fields, default)]
+pub(crate) struct Improve {
+    pub scale: Option<u64>,
+    pub color32: Option<bool>,
+    pub supersample: Option<bool>,
 }
 
 /// A board.
@@ -111,6 +120,9 @@ impl Layer {
             "CAPTURE" => self.output.capture = path(),
             "EVERY" => self.output.every = Some(number()?),
             "EXIT_AFTER" => self.output.exit_after = Some(number()?),
+            "SCALE" => self.improve.scale = Some(number()?),
+            "COLOR32" => self.improve.color32 = Some(switch()?),
+            "SUPERSAMPLE" => self.improve.supersample = Some(switch()?),
             "GAMMA" => self.output.gamma = Some(switch()?),
             "FILTER" => self.output.filter = Some(switch()?),
             _ => {}
@@ -125,6 +137,7 @@ impl Layer {
         override_fields!(
             self.output, later.output; trace, capture, every, exit_after, gamma, filter
         );
+        override_fields!(self.improve, later.improve; scale, color32, supersample);
         self.cards.append(&mut later.cards);
         self.variables.append(&mut later.variables);
         self

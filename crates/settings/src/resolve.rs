@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use fillrate_engine::DeviceConfig;
 use fillrate_engine::target::TileSize;
 use fillrate_glide::card::{CARDS, Card};
-use fillrate_glide::{GlideConfig, ScanOut};
+use fillrate_glide::{GlideConfig, Improvements, MAX_SCALE, ScanOut};
 use fillrate_simd::Level;
 
 use crate::layer::{CardTable, Layer};
@@ -142,7 +142,18 @@ fn glide(layer: &Layer, problems: &mut Vec<String>) -> GlideConfig {
             .unwrap_or(default.boards),
         check: board.check.unwrap_or(default.check),
         splash: board.splash.unwrap_or(default.splash),
+        improve: improvements(layer, problems),
         variables: layer.variables.clone(),
+    }
+}
+
+fn improvements(layer: &Layer, problems: &mut Vec<String>) -> Improvements {
+    let improve = &layer.improve;
+    let scale = |n: u64| u32::try_from(n).ok().filter(|n| (1..=MAX_SCALE).contains(n));
+    Improvements {
+        scale: within("scale", improve.scale, scale, "it is 1 to 4", problems).unwrap_or(1),
+        color32: improve.color32.unwrap_or(false),
+        supersample: improve.supersample.unwrap_or(false),
     }
 }
 
@@ -239,6 +250,10 @@ mod tests {
         exit_after = 7
         gamma = true
         filter = true
+        [improve]
+        scale = 3
+        color32 = true
+        supersample = true
         [variables]
         SST_GAMMA = \"1.3\"
     ";
@@ -256,6 +271,8 @@ mod tests {
         assert_eq!(s.scan_out, ScanOut { gamma: true, filter: true });
         assert_eq!(s.glide.variables["SST_GAMMA"], "1.3");
         assert_eq!(s.capture, Some("frames".into()));
+        let improve = Improvements { scale: 3, color32: true, supersample: true };
+        assert_eq!(s.glide.improve, improve);
     }
 
     #[test]
@@ -287,6 +304,7 @@ mod tests {
             ("[board]\ncard = \"x\"", &[], "boards are"),
             ("[cards.x]\nframe_buffer=3\nunits=1\ntexture=2\n[board]\ncard=\"x\"", &[], "board x"),
             ("", &[("FILLRATE_TILE", "48")], "tile = 48"),
+            ("", &[("FILLRATE_SCALE", "5")], "scale = 5"),
             ("", &[("FILLRATE_SIMD", "mmx")], "simd = mmx"),
             ("", &[("FILLRATE_EVERY", "-1")], "FILLRATE_EVERY=-1"),
             ("", &[("FILLRATE_CHECK", "maybe")], "neither"),

@@ -1,8 +1,9 @@
-//! Fuzzing of the Glide front end: every target is a function of bytes, for
+//! Fuzzing of the front ends: every target is a function of bytes, for
 //! cargo-fuzz, for the program `fuzz`, and for the tests.
 
 mod bytes;
 mod calls;
+mod quark;
 mod streams;
 mod textures;
 
@@ -11,6 +12,7 @@ use fillrate_glide::Context;
 
 pub use bytes::Bytes;
 pub use calls::any_call;
+pub use quark::{any_quark_call, run_quark};
 pub use streams::{Left, context, run_stream};
 pub use textures::{run_file, run_texture};
 
@@ -25,11 +27,13 @@ pub enum Target {
     Textures,
     /// `.3df` files.
     Files,
+    /// Streams of Quark 3D's calls.
+    Quark,
 }
 
 impl Target {
     /// All of them.
-    pub const ALL: [Target; 3] = [Target::Calls, Target::Textures, Target::Files];
+    pub const ALL: [Target; 4] = [Target::Calls, Target::Textures, Target::Files, Target::Quark];
 
     /// The name on command lines.
     pub fn name(self) -> &'static str {
@@ -37,6 +41,7 @@ impl Target {
             Target::Calls => "calls",
             Target::Textures => "textures",
             Target::Files => "files",
+            Target::Quark => "quark",
         }
     }
 }
@@ -69,6 +74,7 @@ impl Fuzzer {
             Target::Calls => drop(run_stream(context, bytes)),
             Target::Textures => run_texture(context, bytes),
             Target::Files => run_file(bytes),
+            Target::Quark => drop(run_quark(bytes, 1)),
         }
     }
 }

@@ -231,7 +231,7 @@ fn lod(rng: &mut Rng) -> LodRange {
         }
         _ => LodRange {
             min: if rng.coin() { 0 } else { quarters(rng, 12) },
-            max: if rng.coin() { 0x800 } else { quarters(rng, 32) },
+            max: if rng.coin() { rng.pick(&[0x800, 0xb00]) } else { quarters(rng, 44) },
             bias: (rng.range(-32, 31) << 6) as i16,
         },
     }

@@ -9,8 +9,8 @@ use super::dither::matrix;
 use super::log2::{log2_8_f64, log2_8_u64};
 use super::pixel::Position;
 
-/// The smallest level that any board has, 8 fraction bits.
-const COARSEST: i32 = 0x800;
+/// The smallest level of the largest texture, 8 fraction bits.
+const COARSEST: i32 = 0xb00;
 /// The base where s and t do not change: below every limit.
 const MAGNIFIED: i32 = -0x8000;
 /// Above every limit: the level where there is no finite one.
@@ -19,7 +19,7 @@ const BEYOND: i32 = 1 << 24;
 /// A level of detail within its limits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Lod {
-    /// 8 fraction bits, 0x000 to 0x800.
+    /// 8 fraction bits, 0x000 to 0xb00.
     pub value: i32,
     /// Whether it is the limit at the fine end.
     pub is_finest: bool,

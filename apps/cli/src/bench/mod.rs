@@ -1,5 +1,7 @@
-//! `fillrate bench`: the workloads W1 to W9 through the Glide API.
+//! `fillrate bench`: the workloads W1 to W9 through the Glide API, Q1 to Q14
+//! through Quark 3D.
 
+mod quark;
 mod scene;
 mod workload;
 
@@ -52,28 +54,54 @@ struct Measured<'a> {
 /// The command.
 pub fn bench(args: &BenchArgs) -> Result<Outcome> {
     let device = args.settings.device();
-    let chosen: Vec<&Workload> =
-        WORKLOADS.iter().filter(|workload| workload.name.starts_with(&args.only)).collect();
-    if chosen.is_empty() {
+    let is_chosen = |name: &str| name.starts_with(&args.only);
+    let chosen: Vec<&Workload> = WORKLOADS.iter().filter(|w| is_chosen(w.name)).collect();
+    let of_quark: Vec<_> = quark::WORKLOADS.iter().filter(|(name, _)| is_chosen(name)).collect();
+    if chosen.is_empty() && of_quark.is_empty() {
         bail!("no workload starts with '{}'", args.only);
     }
     if !args.json {
         println!("{:22} {:>9} {:>9} {:>9} unit    digest", "workload", "median", "min", "max");
     }
     for workload in chosen {
-        report(args, &measure(args, workload, &device)?)?;
+        let mut prepared = Prepared::new(workload, &args.size, device.clone())?;
+        let named = Named { name: workload.name, unit: workload.unit(), format: "565" };
+        report(args, &measure(args, &named, &mut prepared, &device)?)?;
+    }
+    let (_, size) = workload::resolution(&args.size)?;
+    for &&(name, kind) in &of_quark {
+        let mut prepared = quark::Prepared::new(kind, size, device.clone())?;
+        let named = Named { name, unit: quark::unit(kind), format: "palette" };
+        report(args, &measure(args, &named, &mut prepared, &device)?)?;
     }
     Ok(Outcome::Same)
+}
+
+/// Something that is drawn frame by frame, always the same.
+trait Drawing {
+    /// Draws and shows a frame.
+    fn frame(&mut self);
+    /// Pixels or triangles of a frame.
+    fn count(&self) -> f64;
+    /// The hash of the picture shown.
+    fn digest(&mut self) -> Result<u64>;
+}
+
+/// What a workload is called, and what its rate counts.
+struct Named {
+    name: &'static str,
+    unit: &'static str,
+    format: &'static str,
 }
 
 /// Draws a workload until it is warm, then times the runs. All frames must
 /// show the same picture.
 fn measure<'a>(
     args: &'a BenchArgs,
-    workload: &'a Workload,
+    named: &Named,
+    prepared: &mut dyn Drawing,
     device: &DeviceConfig,
 ) -> Result<Measured<'a>> {
-    let mut prepared = Prepared::new(workload, &args.size, device.clone())?;
     prepared.frame();
     let digest = prepared.digest()?;
     let mut rates = Vec::new();
@@ -88,16 +116,16 @@ fn measure<'a>(
         rates.push(prepared.count() * f64::from(frames) / start.elapsed().as_secs_f64() * 1e-6);
     }
     if prepared.digest()? != digest {
-        bail!("{}: the picture changes from frame to frame", workload.name);
+        bail!("{}: the picture changes from frame to frame", named.name);
     }
     rates.sort_by(f64::total_cmp);
     Ok(Measured {
-        workload: workload.name,
+        workload: named.name,
         size: &args.size,
-        format: "565",
+        format: named.format,
         threads: device.threads,
         simd: device.level.name(),
-        unit: workload.unit(),
+        unit: named.unit,
         median: rates[rates.len() / 2],
         min: rates[0],
         max: rates[rates.len() - 1],

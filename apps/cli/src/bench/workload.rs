@@ -5,12 +5,13 @@ use fillrate_engine::DeviceConfig;
 use fillrate_glide::{Call, Context, GlideConfig, GrVertex, gu};
 use fillrate_player::{Frame, Pixels};
 
-use super::scene;
+use super::{Drawing, scene};
 
 /// What a workload draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Flat,
+    FlatDepth,
     Gouraud,
     Textured,
     Blended,
@@ -34,8 +35,9 @@ const fn workload(name: &'static str, kind: Kind, front_to_back: bool) -> Worklo
 }
 
 /// All of them.
-pub const WORKLOADS: [Workload; 12] = [
+pub const WORKLOADS: [Workload; 13] = [
     workload("W1_fill_flat", Kind::Flat, false),
+    workload("W1_fill_flat_z", Kind::FlatDepth, false),
     workload("W2_gouraud_z_b2f", Kind::Gouraud, false),
     workload("W2_gouraud_z_f2b", Kind::Gouraud, true),
     workload("W3_tex_bilin_z_b2f", Kind::Textured, false),
@@ -60,9 +62,24 @@ impl Workload {
         if matches!(self.kind, Kind::Triangles { .. }) { "Mtri/s" } else { "Mpix/s" }
     }
 
+    fn is_flat(&self) -> bool {
+        matches!(self.kind, Kind::Flat | Kind::FlatDepth)
+    }
+
     fn uses_depth(&self) -> bool {
         self.kind != Kind::Flat
     }
+}
+
+/// The number of a resolution that a board can show, and its columns and rows.
+pub fn resolution(size: &str) -> Result<(i32, (u32, u32))> {
+    Ok(match size {
+        "320x240" => (1, (320, 240)),
+        "512x384" => (3, (512, 384)),
+        "640x480" => (7, (640, 480)),
+        "800x600" => (8, (800, 600)),
+        _ => bail!("'{size}' is not a size a board can show"),
+    })
 }
 
 /// A workload on an open board.
@@ -76,13 +93,7 @@ pub struct Prepared<'a> {
 impl<'a> Prepared<'a> {
     /// Opens a board of that size and sets the workload's state.
     pub fn new(workload: &'a Workload, size: &str, device: DeviceConfig) -> Result<Self> {
-        let (resolution, width, height) = match size {
-            "320x240" => (1, 320, 240),
-            "512x384" => (3, 512, 384),
-            "640x480" => (7, 640, 480),
-            "800x600" => (8, 800, 600),
-            _ => bail!("'{size}' is not a size a board can show"),
-        };
+        let (resolution, (width, height)) = resolution(size)?;
         let mut context = Context::new(GlideConfig { device, ..GlideConfig::default() })?;
         context.execute(&Call::GrGlideInit {});
         let open = Call::GrSstWinOpen {
@@ -115,7 +126,7 @@ impl<'a> Prepared<'a> {
         let modulate = Call::GuColorCombineFunction { function: 6 };
         self.set(&[
             Call::GrDitherMode { mode: 2 },
-            Call::GuColorCombineFunction { function: if kind == Kind::Flat { 1 } else { 2 } },
+            Call::GuColorCombineFunction { function: if self.workload.is_flat() { 1 } else { 2 } },
         ]);
         if self.workload.uses_depth() {
             self.set(&[
@@ -156,7 +167,7 @@ impl<'a> Prepared<'a> {
                     Call::GrFogMode { mode: 2 },
                 ]);
             }
-            Kind::Flat | Kind::Gouraud | Kind::Clears => {}
+            Kind::Flat | Kind::FlatDepth | Kind::Gouraud | Kind::Clears => {}
         }
     }
 
@@ -181,9 +192,10 @@ impl<'a> Prepared<'a> {
             Call::GrTexClampMode { tmu, s: 0, t: 0 },
         ]);
     }
+}
 
-    /// Draws and shows a frame.
-    pub fn frame(&mut self) {
+impl Drawing for Prepared<'_> {
+    fn frame(&mut self) {
         let clear = Call::GrBufferClear { color: 0, alpha: 0, depth: 0xffff };
         if self.workload.kind == Kind::Clears {
             for i in 0..CLEARS {
@@ -196,7 +208,7 @@ impl<'a> Prepared<'a> {
             self.context.execute(&clear);
             self.context.execute(&Call::GrDepthMask { mask: written });
         }
-        let flat = self.workload.kind == Kind::Flat;
+        let flat = self.workload.is_flat();
         for (i, [a, b, c]) in self.vertices.as_chunks().0.iter().enumerate() {
             if flat && i % 2 == 0 {
                 let value = 0x0001_0307 * (i as u32 + 1);
@@ -207,8 +219,7 @@ impl<'a> Prepared<'a> {
         self.context.execute(&Call::GrBufferSwap { interval: 0 });
     }
 
-    /// Pixels or triangles of a frame.
-    pub fn count(&self) -> f64 {
+    fn count(&self) -> f64 {
         let pixels = f64::from(self.size.0) * f64::from(self.size.1);
         match self.workload.kind {
             Kind::Triangles { count, .. } => count as f64,
@@ -217,8 +228,7 @@ impl<'a> Prepared<'a> {
         }
     }
 
-    /// The hash of the picture shown.
-    pub fn digest(&mut self) -> Result<u64> {
+    fn digest(&mut self) -> Result<u64> {
         let shown = self.context.shown().context("nothing is shown")?;
         Ok(Frame::new(shown.width, shown.height, Pixels::Rgb565(shown.pixels))?.hash())
     }
@@ -234,7 +244,7 @@ fn vertices(workload: &Workload, size: (f32, f32)) -> Vec<GrVertex> {
         (0..OVERDRAW).flat_map(layer).collect()
     };
     match workload.kind {
-        Kind::Flat => layers(false, false, 255),
+        Kind::Flat | Kind::FlatDepth => layers(false, false, 255),
         Kind::Gouraud => layers(true, false, 255),
         Kind::Textured | Kind::TwoTextures => layers(true, true, 255),
         Kind::Blended => layers(true, true, 128),

@@ -67,8 +67,7 @@ fn measure_gains(args: &ExperimentArgs) -> Result<Outcome> {
 }
 
 fn run_tests(args: &ExperimentArgs, tests: &[run::Test]) -> Result<Vec<run::Outcome>> {
-    let cores = || std::thread::available_parallelism().map_or(1, usize::from);
-    let threads = args.threads.map_or_else(cores, usize::from);
+    let threads = args.threads.map_or_else(super::machine::cores, usize::from);
     let progress = ProgressBar::new(tests.len() as u64);
     let done = |finished: usize| progress.set_position(finished as u64);
     let outcomes = run::run_all(tests, &run::Setting::default(), threads, done)?;

@@ -11,12 +11,14 @@ use fillrate_raw::{Config, Errata, shown};
 
 use crate::Outcome;
 
-/// One tile or many.
+/// What plays records.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum BuildName {
     /// The reference renderer on one tile
     #[default]
     Single,
+    /// The fast path: the same picture, nothing counted
+    Fast,
     /// The grid of tiles
     Grid,
 }
@@ -24,9 +26,12 @@ pub enum BuildName {
 /// Which machine plays records.
 #[derive(Args, Clone, Debug)]
 pub struct MachineArgs {
-    /// One tile or the grid
+    /// One tile, the fast path or the grid
     #[arg(long, value_enum, default_value_t)]
     build: BuildName,
+    /// Threads of the fast path
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
+    threads: Option<u16>,
     /// Columns of the grid, four tiles each
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = columns)]
     columns: usize,
@@ -45,6 +50,11 @@ pub struct MachineArgs {
     /// Write the displayed and the hidden page as PNG files into this folder
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+}
+
+/// Cores of this machine.
+pub fn cores() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
 }
 
 fn columns(text: &str) -> Result<usize, String> {
@@ -85,6 +95,7 @@ impl MachineArgs {
     pub fn build(&self) -> Build {
         match self.build {
             BuildName::Single => Build::Single,
+            BuildName::Fast => Build::Fast(self.threads.map_or_else(cores, usize::from)),
             BuildName::Grid => {
                 let mut options = Options { columns: self.columns, ..Options::default() };
                 for name in &self.switches {

@@ -81,7 +81,7 @@ impl Chunk {
                 Command::Triangle { vertices, cull, state } => {
                     let [a, b, c] = &arena.vertices[vertices as usize];
                     self.counters.triangles_in += 1;
-                    let units = arena.states[state as usize].pipeline.unit_count;
+                    let units = arena.states[state].pipeline.unit_count;
                     if set_up([a, b, c], cull, units, &mut launch) == Fate::Drawn {
                         self.counters.triangles_drawn += 1;
                         self.launch(arena, &launch, state, grid);
@@ -113,13 +113,16 @@ impl Chunk {
 
     #[inline(always)]
     fn launch(&mut self, arena: &Arena, launch: &Launch, state: u32, grid: &Grid) {
-        let batch = &arena.states[state as usize];
+        let batch = &arena.states[state];
         let units = batch.pipeline.unit_count;
         let index = self.triangles.list.len() as u32;
-        let Some(triangle) = prepare(launch, &batch.screen, state, units, &mut self.triangles)
-        else {
-            return;
+        let screen = &batch.screen;
+        let triangle = if screen.scale == 1 {
+            prepare(launch, screen, state, units, &mut self.triangles)
+        } else {
+            prepare(&launch.scaled(screen.scale), screen, state, units, &mut self.triangles)
         };
+        let Some(triangle) = triangle else { return };
         let entry = Entry::Triangle(index);
         add_edges(&mut self.pairs, &triangle.bounds, triangle_edges(triangle), entry, grid);
     }

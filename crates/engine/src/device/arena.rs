@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use rustc_hash::FxHashMap;
+
 use super::ClearValues;
 use crate::kernel::Pipeline;
 use crate::setup::{Cull, PalettePrimitive, Registers, Screen, Vertex};
@@ -69,9 +71,10 @@ impl BatchState {
         textures: &[Option<Arc<Texture>>; MAX_TMUS],
         target: &Surface,
         has_aux: bool,
+        scale: u32,
     ) -> BatchState {
         let (width, height) = (target.width(), target.height());
-        let screen = Screen { width, height, origin: state.origin };
+        let screen = Screen { width, height, origin: state.origin, scale };
         BatchState {
             pipeline: Pipeline::new(state, textures, target.format(), has_aux),
             pixel_pipeline: None,
@@ -86,13 +89,89 @@ impl BatchState {
 fn screen_clip(state: &DrawState, screen: &Screen) -> Rect {
     let all = Rect::new(0, 0, screen.width, screen.height);
     let Some(clip) = state.clip else { return all };
-    let clip = clip.intersect(&all);
+    let [x0, y0, x1, y1] =
+        [clip.x0, clip.y0, clip.x1, clip.y1].map(|v| v.saturating_mul(screen.scale));
+    let clip = Rect::new(x0, y0, x1, y1).intersect(&all);
     match state.origin {
         Origin::UpperLeft => clip,
         Origin::LowerLeft => {
             let flip = |y: u32| screen.height - y.min(screen.height);
             Rect::new(clip.x0, flip(clip.y1), clip.x1, flip(clip.y0))
         }
+    }
+}
+
+/// What a compiled state depends on besides the state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct TargetShape {
+    size: (u32, u32),
+    format: PixelFormat,
+    has_aux: bool,
+    scale: u32,
+}
+
+/// A state and the addresses of its textures, which the compiled state keeps
+/// alive.
+type StateKey = (DrawState, [usize; MAX_TMUS]);
+
+/// The draw states in use, each compiled once.
+#[derive(Debug, Default)]
+pub(crate) struct States {
+    list: Vec<BatchState>,
+    index: FxHashMap<StateKey, u32>,
+    shape: Option<TargetShape>,
+}
+
+impl States {
+    /// The index of a state for drawing on `target`.
+    pub fn find(
+        &mut self,
+        state: &DrawState,
+        textures: &[Option<Arc<Texture>>; MAX_TMUS],
+        target: &Surface,
+        has_aux: bool,
+        scale: u32,
+    ) -> u32 {
+        let size = (target.width(), target.height());
+        let shape = TargetShape { size, format: target.format(), has_aux, scale };
+        if self.shape != Some(shape) {
+            self.clear();
+            self.shape = Some(shape);
+        }
+        let address = |texture: &Option<Arc<Texture>>| match texture {
+            Some(texture) => Arc::as_ptr(texture) as usize,
+            None => 0,
+        };
+        let key = (*state, textures.each_ref().map(address));
+        if let Some(&index) = self.index.get(&key) {
+            return index;
+        }
+        let index = self.list.len() as u32;
+        self.list.push(BatchState::new(state, textures, target, has_aux, scale));
+        self.index.insert(key, index);
+        index
+    }
+
+    /// Forgets all of them; no command may refer to one.
+    pub fn clear(&mut self) {
+        self.list.clear();
+        self.index.clear();
+    }
+
+    pub fn len(&self) -> usize {
+        self.list.len()
+    }
+
+    pub fn get_mut(&mut self, index: u32) -> &mut BatchState {
+        &mut self.list[index as usize]
+    }
+}
+
+impl core::ops::Index<u32> for States {
+    type Output = BatchState;
+
+    fn index(&self, index: u32) -> &BatchState {
+        &self.list[index as usize]
     }
 }
 
@@ -105,7 +184,7 @@ pub(crate) struct Arena {
     pub clears: Vec<Clear>,
     pub runs: Vec<Run>,
     pub pixels: Vec<Pixel>,
-    pub states: Vec<BatchState>,
+    pub states: States,
     pub primitives: Vec<PalettePrimitive>,
     pub palettes: Vec<PaletteDraw>,
 }

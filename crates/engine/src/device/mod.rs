@@ -10,11 +10,11 @@ use std::sync::Arc;
 
 use fillrate_simd::Level;
 
-use self::arena::{Arena, BatchState, Clear, Command, Pixel, Run};
+use self::arena::{Arena, Clear, Command, Pixel, Run};
 use crate::bins::Chunk;
 use crate::error::EngineError;
 use crate::kernel::Pipeline;
-use crate::setup::{Cull, Registers, Vertex};
+use crate::setup::{Cull, MAX_SCALE, Registers, Vertex};
 use crate::state::{Dither, DrawState, MAX_TMUS, Origin, Rect};
 use crate::stats::{Counters, FlushStats};
 use crate::target::{PixelFormat, Surface, TileSize};
@@ -98,6 +98,8 @@ pub struct Device {
     arena: Arena,
     chunks: Vec<Chunk>,
     current: CurrentState,
+    /// Surface pixels of a pixel that coordinates count.
+    scale: u32,
     /// Index of the current state's entry in the arena, once something used it.
     state: Option<u32>,
     counters: Counters,
@@ -123,6 +125,7 @@ impl Device {
             arena: Arena::default(),
             chunks: Vec::new(),
             current: (DrawState::default(), [const { None }; MAX_TMUS]),
+            scale: 1,
             state: None,
             counters: Counters::default(),
             flushes: FlushStats::default(),
@@ -192,7 +195,6 @@ impl Device {
         if self.color != Some(color) || self.aux != aux {
             self.flush(FlushReason::Target);
             (self.color, self.aux) = (Some(color), aux);
-            self.arena.states.clear();
             self.state = None;
         }
         Ok(())
@@ -210,6 +212,21 @@ impl Device {
             && self.current.1.iter().zip(&textures).all(|(a, b)| same(a, b));
         if !unchanged {
             self.current = (*state, textures);
+            self.state = None;
+        }
+    }
+
+    /// Draws triangles of what follows at `scale` times their coordinates, 1 to
+    /// 4, and takes clip windows the same way: a surface that is so much larger
+    /// shows the same picture, finer. Clears, ready-made fragments and access to
+    /// surfaces count the surface's pixels.
+    ///
+    /// Out-of-range values count as the nearest one in it.
+    pub fn set_scale(&mut self, scale: u32) {
+        let scale = scale.clamp(1, MAX_SCALE);
+        if self.scale != scale {
+            self.flush(FlushReason::Target);
+            self.scale = scale;
             self.state = None;
         }
     }
@@ -240,7 +257,7 @@ impl Device {
     pub fn draw_pixels(&mut self, run: &PixelRun<'_>) {
         let Some(state) = self.use_state() else { return };
         let has_aux = self.aux.is_some();
-        let batch = &mut self.arena.states[state as usize];
+        let batch = self.arena.states.get_mut(state);
         let (width, height) = (batch.screen.width, batch.screen.height);
         if run.x >= width || run.y >= height {
             return;
@@ -301,10 +318,8 @@ impl Device {
             return Some(state);
         }
         let (state, textures) = &self.current;
-        let target = self.peek(self.color?).ok()?;
-        let batch = BatchState::new(state, textures, target, self.aux.is_some());
-        let index = self.arena.states.len() as u32;
-        self.arena.states.push(batch);
+        let target = self.surfaces.get(self.color?.0 as usize)?.as_ref()?;
+        let index = self.arena.states.find(state, textures, target, self.aux.is_some(), self.scale);
         self.state = Some(index);
         Some(index)
     }

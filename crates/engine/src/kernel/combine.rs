@@ -39,6 +39,13 @@ impl Switches {
         }
     }
 
+    /// [`Switches::apply`] of units that only multiply: see [`Arithmetic`].
+    #[inline(always)]
+    pub fn scaled<S: Simd>(&self, s: S, pair: usize, other: S::I, factor: S::I) -> S::I {
+        let factor = factor ^ s.splat(self.invert_factor[pair]);
+        other.mul16(factor.add16(s.splat(0x0001_0001))).shr16(8)
+    }
+
     /// The units' arithmetic on one vector of pairs (0: red, blue; 1: green,
     /// alpha). `alpha` is the local alpha in both halves.
     ///
@@ -201,9 +208,6 @@ fn scale_colors<S: Simd>(s: S, len: usize, pass: &Pass<'_>, from: &Operands<'_>,
     let switches = &pass.pipeline.combine;
     let factor = from.color_factor(state.color_combine.unit.factor);
     let factor_alpha = from.alpha_factor(state.alpha_combine.unit.factor);
-    let one = s.splat(0x0001_0001);
-    let (invert_rb, invert_ga) =
-        (s.splat(switches.invert_factor[0]), s.splat(switches.invert_factor[1]));
     for k in (0..len).step_by(S::LANES) {
         let (mut f_rb, mut f_ga) = (load(s, factor.rb, k), load(s, factor.ga, k));
         if factor.spread {
@@ -215,10 +219,9 @@ fn scale_colors<S: Simd>(s: S, len: usize, pass: &Pass<'_>, from: &Operands<'_>,
             f_ga = join(s, f_ga, load(s, factor_alpha, k));
             ga = join(s, ga, load(s, from.other_alpha, k));
         }
-        let rb = load(s, &from.other.rb, k).mul16((f_rb ^ invert_rb).add16(one)).shr16(8);
-        let ga = ga.mul16((f_ga ^ invert_ga).add16(one)).shr16(8);
-        s.store(rb, &mut out.rb.0[k..]);
-        s.store(ga, &mut out.ga.0[k..]);
+        let rb = load(s, &from.other.rb, k);
+        s.store(switches.scaled(s, 0, rb, f_rb), &mut out.rb.0[k..]);
+        s.store(switches.scaled(s, 1, ga, f_ga), &mut out.ga.0[k..]);
     }
 }
 

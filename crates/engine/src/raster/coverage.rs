@@ -8,7 +8,7 @@
 use fillrate_simd::{IntLanes, MaskLanes, Simd};
 
 use crate::kernel::block::STAMP;
-use crate::kernel::lanes::ramp;
+use crate::kernel::lanes::{places, ramp};
 use crate::setup::{Edge, Triangle};
 use crate::state::Rect;
 
@@ -146,12 +146,6 @@ impl TileCoverage {
         self.count == 0
     }
 
-    /// Whether the area is so small that its stamps are not worth classifying.
-    pub fn is_small(&self) -> bool {
-        let stamps = |from: u32, to: u32| to.div_ceil(4) - from / 4;
-        stamps(self.area.x0, self.area.x1) * stamps(self.area.y0, self.area.y1) <= 6
-    }
-
     /// Screen columns where the groups of a row of stamps begin.
     pub fn groups(&self) -> impl Iterator<Item = u32> + use<> {
         let first = self.area.x0 & !(GROUP_WIDTH - 1);
@@ -214,6 +208,41 @@ impl TileCoverage {
         }
         mask
     }
+}
+
+/// Whether an area is so small that its stamps are not worth classifying.
+#[inline(always)]
+pub(crate) fn is_small(area: &Rect) -> bool {
+    let stamps = |from: u32, to: u32| to.div_ceil(4) - from / 4;
+    stamps(area.x0, area.x1) * stamps(area.y0, area.y1) <= 6
+}
+
+/// The fragments of the stamp at screen position (x, y) that a compact triangle
+/// covers inside `area`.
+#[inline(always)]
+pub(crate) fn compact_stamp<S: Simd>(
+    s: S,
+    triangle: &Triangle,
+    area: &Rect,
+    x: u32,
+    y: u32,
+) -> u32 {
+    let mut mask = 0;
+    for j in (0..STAMP).step_by(S::LANES) {
+        let [px, py] = places(s, x as i32, y as i32, j);
+        // Outside any border the sign is set.
+        let columns = (px - s.splat(area.x0 as i32)) | (s.splat(area.x1 as i32 - 1) - px);
+        let rows = (py - s.splat(area.y0 as i32)) | (s.splat(area.y1 as i32 - 1) - py);
+        let mut outside = columns | rows;
+        // An edge that is not in use is zero everywhere. The low 32 bits of a
+        // value are those of the sum of the low 32 bits.
+        for edge in &triangle.edges {
+            let rise = px.mul(s.splat(edge.a)) + py.mul(s.splat(edge.b));
+            outside = outside | (s.splat(edge.c as i32) + rise);
+        }
+        mask |= outside.gt(s.splat(-1)).bits() << j;
+    }
+    mask
 }
 
 /// Fragments whose edge value is not negative.

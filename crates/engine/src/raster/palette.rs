@@ -34,10 +34,11 @@ pub(crate) fn draw_shape<S: Simd>(
     if !coverage.enter_edges(s, shape.edges(), &shape.bounds, &tile.rect) {
         return;
     }
-    if tile.is_hidden(draw, shape) {
+    let range = shape.depth_range(&coverage.area);
+    if tile.is_hidden(draw, range) {
         return tile.count_hidden(s, &coverage);
     }
-    tile.update_bounds(draw, shape, &coverage);
+    tile.update_bounds(draw, range, &coverage);
     let work = Work { draw, shape, coverage: &coverage, tile };
     match (&shape.texels, draw.state.reads_texture()) {
         (_, false) => s.vectorize(Stamps::<{ source::FLAT }>(work)),
@@ -48,9 +49,8 @@ pub(crate) fn draw_shape<S: Simd>(
 
 impl PaletteTile<'_> {
     /// Whether every fragment fails the depth test against the tile's bounds.
-    fn is_hidden(&self, draw: &PaletteDraw, shape: &Shape) -> bool {
+    fn is_hidden(&self, draw: &PaletteDraw, (low, high): (u16, u16)) -> bool {
         let (Some(depth), Some(test)) = (&self.depth, draw.state.test) else { return false };
-        let (low, high) = shape.depth_range;
         match test {
             Compare::Greater => high <= depth.low,
             Compare::GreaterEqual => high < depth.low,
@@ -68,12 +68,16 @@ impl PaletteTile<'_> {
     }
 
     /// Keeps the tile's depth bounds true for a shape that is drawn.
-    fn update_bounds(&mut self, draw: &PaletteDraw, shape: &Shape, coverage: &TileCoverage) {
+    fn update_bounds(
+        &mut self,
+        draw: &PaletteDraw,
+        (low, high): (u16, u16),
+        coverage: &TileCoverage,
+    ) {
         let Some(depth) = &mut self.depth else { return };
         if !draw.state.depth_write {
             return;
         }
-        let (low, high) = shape.depth_range;
         depth.include(low, high);
         let whole = coverage.is_full() && coverage.area.contains(&self.visible);
         if !whole || draw.state.key.is_some() {

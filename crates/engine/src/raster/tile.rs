@@ -2,7 +2,7 @@
 
 use fillrate_simd::Simd;
 
-use super::coverage::{FULL, TileCoverage, rect_mask};
+use super::coverage::{FULL, TileCoverage, compact_stamp, is_small, rect_mask};
 use super::depth_range::{depth_range, is_hidden, update_bounds};
 use super::palette::{PaletteTile, draw_shape};
 use crate::bins::{Chunk, Entry, Grid};
@@ -128,7 +128,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
     }
 
     fn batch(&self, state: u32) -> &'a BatchState {
-        &self.arena.states[state as usize]
+        &self.arena.states[state]
     }
 
     /// Makes `pipeline` and `list` those of a state; what is pending must be
@@ -181,7 +181,12 @@ impl<'a, S: Simd> TilePainter<'a, S> {
     fn triangle(&mut self, chunk: &Chunk, index: u32, target: &mut Target<'_>) {
         let triangle = &chunk.triangles.list[index as usize];
         let s = self.s;
-        if !self.coverage.enter(s, triangle, &target.rect) {
+        let area = triangle.bounds.intersect(&target.rect);
+        if area.is_empty() {
+            return;
+        }
+        let small = triangle.compact && is_small(&area);
+        if !small && !self.coverage.enter(s, triangle, &target.rect) {
             return;
         }
         let current = match self.current {
@@ -194,25 +199,27 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             }
         };
         let triangles = &chunk.triangles;
-        if self.is_hidden(&current, triangles, triangle, target) {
+        let full = !small && self.coverage.is_full();
+        if self.is_hidden(&current, triangles, triangle, (&area, full), target) {
+            return match small {
+                true => self.count_small(triangle, &area, current.clip),
+                false => self.count_hidden(current.clip),
+            };
+        }
+        let clip = (!current.clip.contains(&area)).then_some(current.clip);
+        self.foreign = self.block.count;
+        if small {
+            target.materialize();
+            for (x, y) in stamps(&area) {
+                let mask = compact_stamp(s, triangle, &area, x, y);
+                self.stamp(chunk, index, (x, y), mask, clip, target);
+            }
             return;
         }
         if self.replaces_tile(&current, triangles, target) {
             return;
         }
         target.materialize();
-        let clip = (!current.clip.contains(&self.coverage.area)).then_some(current.clip);
-        self.foreign = self.block.count;
-        if self.coverage.is_small() {
-            let Rect { x0, x1, .. } = self.coverage.area;
-            for y in self.coverage.rows() {
-                for x in (x0 & !3..x1).step_by(4) {
-                    let mask = self.coverage.stamp(s, x, y);
-                    self.stamp(chunk, index, (x, y), mask, clip, target);
-                }
-            }
-            return;
-        }
         for y in self.coverage.rows() {
             for first in self.coverage.groups() {
                 for (x, full) in self.coverage.group(s, first, y).stamps(first) {
@@ -272,38 +279,48 @@ impl<'a, S: Simd> TilePainter<'a, S> {
         self.push(slot, mask, &chunk.triangles, target);
     }
 
-    /// Whether depth bounds hide the triangle in this tile; then its fragments
-    /// are only counted. Otherwise the bounds are updated for drawing it.
+    /// Whether depth bounds hide the triangle, which covers all of `area` where
+    /// it is `full`. Otherwise the bounds are updated for drawing it.
     #[inline(always)]
     fn is_hidden(
         &mut self,
         current: &Current<'_>,
         triangles: &Triangles,
         triangle: &Triangle,
+        (area, full): (&Rect, bool),
         target: &mut Target<'_>,
     ) -> bool {
-        let coverage = &self.coverage;
         let (pipeline, clip) = (current.pipeline, current.clip);
         let Some(aux) = &mut target.aux else { return false };
         if !pipeline.needs.depth && !pipeline.writes_aux() {
             return false;
         }
-        let range = depth_range(pipeline, triangles, triangle, &coverage.area);
+        let range = depth_range(pipeline, triangles, triangle, area);
         if let Some(range) = range
             && pipeline.state.stipple.is_none()
             && is_hidden(pipeline, range, aux)
         {
-            self.count_hidden(clip);
             return true;
         }
         let visible = target.rect.intersect(&self.grid.bounds);
-        let whole = coverage.is_full()
-            && coverage.area.contains(&visible)
+        let whole = full
+            && area.contains(&visible)
             && clip.contains(&visible)
             && pipeline.state.stipple.is_none()
             && !pipeline.needs.late_depth_write;
         update_bounds(pipeline, range, whole, aux);
         false
+    }
+
+    /// Counts the fragments of a small hidden triangle.
+    #[inline(always)]
+    fn count_small(&mut self, triangle: &Triangle, area: &Rect, clip: &Rect) {
+        for (x, y) in stamps(area) {
+            let mask = compact_stamp(self.s, triangle, area, x, y);
+            let inside = mask & rect_mask(clip, x, y);
+            self.counters.pixels_in += u64::from(mask.count_ones());
+            self.counters.depth_fail += u64::from(inside.count_ones());
+        }
     }
 
     /// Counts the fragments of a hidden triangle.
@@ -392,6 +409,14 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             }
         }
     }
+}
+
+/// Screen positions of the stamps that an area touches, row by row.
+#[inline(always)]
+fn stamps(area: &Rect) -> impl Iterator<Item = (u32, u32)> + use<> {
+    let Rect { x0, y0, x1, y1 } = *area;
+    let (x0, y0) = (x0 & !3, y0 & !3);
+    (y0..y1).step_by(4).flat_map(move |y| (x0..x1).step_by(4).map(move |x| (x, y)))
 }
 
 /// Puts a ready-made fragment into a lane.

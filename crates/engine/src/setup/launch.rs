@@ -70,6 +70,26 @@ impl From<&Registers> for Launch {
 }
 
 impl Launch {
+    /// The same triangle where every pixel is `scale` x `scale` pixels of the
+    /// surface. Steps are rounded to the nearest.
+    pub fn scaled(&self, scale: u32) -> Launch {
+        let n = i64::from(scale);
+        let share = |step: i64| step.wrapping_add(n / 2).div_euclid(n);
+        let mut out = *self;
+        for coordinate in out.x.iter_mut().chain(&mut out.y) {
+            *coordinate *= scale as i32;
+        }
+        for step in out.narrow.dx.iter_mut().chain(&mut out.narrow.dy) {
+            *step = share(i64::from(*step)) as i32;
+        }
+        for params in &mut out.wide {
+            for step in params.dx.iter_mut().chain(&mut params.dy) {
+                *step = share(*step);
+            }
+        }
+        out
+    }
+
     /// By name; units from `units` on count as zero.
     pub fn registers(&self, units: usize) -> Registers {
         let narrow = |lane: usize| Param {

@@ -10,6 +10,7 @@ mod vertex;
 pub(crate) use launch::{Launch, Z};
 pub use palette::{PALETTE_COORDINATE, PalettePrimitive, PaletteVertex};
 pub(crate) use palette::{Plane32, Shape, Texels, prepare_palette};
+pub use planes::MAX_SCALE;
 pub(crate) use planes::{Edge, Narrow, Plane64, Screen, Triangle, Triangles, prepare};
 pub use registers::{Param, Registers, WideParam};
 pub use sst1::{Cull, Outcome, triangle};

@@ -115,8 +115,10 @@ pub(crate) struct Shape {
     pub color: u8,
     /// 16.16, unsigned.
     pub depth: Plane32,
+    /// The same without wrapping, for bounds.
+    depth_plane: Plane64,
     /// Least and greatest depth of all fragments.
-    pub depth_range: (u16, u16),
+    depth_range: (u16, u16),
     /// 16.16.
     pub intensity: Plane32,
     pub texels: Texels,
@@ -125,6 +127,29 @@ pub(crate) struct Shape {
 impl Shape {
     pub fn edges(&self) -> &[Edge] {
         &self.edges[..self.edge_count as usize]
+    }
+
+    /// Least and greatest depth that fragments inside `area` can have.
+    pub fn depth_range(&self, area: &Rect) -> (u16, u16) {
+        let (low, high) = self.depth_range;
+        let plane = &self.depth_plane;
+        if low == high {
+            return (low, high);
+        }
+        let corner = plane.at(area.x0 as i32, area.y0 as i32);
+        let (right, down) = (i64::from(area.x1 - area.x0 - 1), i64::from(area.y1 - area.y0 - 1));
+        // Gradients of slivers can be anything.
+        let (dx, dy) = (plane.dx.saturating_mul(right), plane.dy.saturating_mul(down));
+        let least = corner.saturating_add(dx.min(0)).saturating_add(dy.min(0)) >> FRACTION;
+        let most = corner.saturating_add(dx.max(0)).saturating_add(dy.max(0)) >> FRACTION;
+        let limit = |depth: i64| depth.clamp(low.into(), high.into()) as u16;
+        (limit(least), limit(most))
+    }
+
+    fn set_depth(&mut self, plane: Plane64, range: (u16, u16)) {
+        self.depth = Plane32 { c: plane.c as i32, dx: plane.dx as i32, dy: plane.dy as i32 };
+        self.depth_plane = plane;
+        self.depth_range = range;
     }
 
     fn add_edge(&mut self, a: i64, b: i64, c: i64) {
@@ -142,6 +167,7 @@ impl Shape {
             bounds,
             color: 0,
             depth: constant(i64::from(depth) << FRACTION),
+            depth_plane: Plane64 { c: i64::from(depth) << FRACTION, dx: 0, dy: 0 },
             depth_range: (depth, depth),
             intensity: constant(i64::from(intensity) << FRACTION),
             texels: Texels::Affine { planes: [Plane32::default(); 2], scale: 0 },
@@ -214,9 +240,10 @@ fn triangle(
     let mut shape = Shape::rect(state, bounds, 0, 0);
     let depths = corners.map(|v| i64::from(v.depth));
     let (low, high) = least_and_greatest(depths.into_iter());
-    shape.depth = planes.plane32(depths, HALF);
-    shape.depth_range = (low as u16, high as u16);
-    shape.intensity = planes.plane32(corners.map(|v| v.intensity.into()), 0);
+    let mut plane = planes.plane_from(planes.solve(depths));
+    plane.c = plane.c.wrapping_add(HALF);
+    shape.set_depth(plane, (low as u16, high as u16));
+    shape.intensity = planes.plane32(corners.map(|v| v.intensity.into()));
     if textured {
         let (u, v) = (corners.map(|v| i64::from(v.u)), corners.map(|v| i64::from(v.v)));
         shape.texels = if perspective {
@@ -225,7 +252,7 @@ fn triangle(
             let exact = made.iter().all(|(_, exact)| *exact);
             Texels::Perspective { planes: made.map(|(plane, _)| plane), exact }
         } else {
-            Texels::Affine { planes: [planes.plane32(u, 0), planes.plane32(v, 0)], scale: 8 }
+            Texels::Affine { planes: [planes.plane32(u), planes.plane32(v)], scale: 8 }
         };
     }
     add_edges(&mut shape, &at);
@@ -253,8 +280,9 @@ struct Planes {
     /// From the first corner to the two others.
     d1: [i64; 2],
     d2: [i64; 2],
-    /// Twice the area, made positive by `sign`.
+    /// Twice the area, made positive by `sign`, and about one over it.
     area: i64,
+    inverse: f64,
     sign: i64,
     /// From the first corner to the reference pixel.
     to_reference: [i64; 2],
@@ -278,6 +306,7 @@ impl Planes {
             d1,
             d2,
             area: area.abs(),
+            inverse: 1.0 / area.abs() as f64,
             sign: area.signum(),
             to_reference: from_first(reference),
             reference,
@@ -310,10 +339,24 @@ impl Planes {
     /// `floor(2^16 * n / area)`, the low 64 bits.
     fn ratio(&self, n: i64) -> i64 {
         if n.abs() < 1 << (62 - FRACTION) {
-            return (n << FRACTION).div_euclid(self.area);
+            return self.floor_quotient(n << FRACTION);
         }
         let rest = (n.rem_euclid(self.area) << FRACTION) / self.area;
         (n.div_euclid(self.area) << FRACTION).wrapping_add(rest)
+    }
+
+    /// `floor(n / area)`: an estimate in floats, which is off by one at most
+    /// where the quotient has fewer bits than a float, and its remainder.
+    fn floor_quotient(&self, n: i64) -> i64 {
+        let estimate = (n as f64 * self.inverse) as i64;
+        let rest = n.wrapping_sub(estimate.wrapping_mul(self.area));
+        if (0..self.area).contains(&rest) {
+            estimate
+        } else if (-self.area..0).contains(&rest) {
+            estimate - 1
+        } else {
+            n.div_euclid(self.area)
+        }
     }
 
     fn wide_ratio(&self, n: i128) -> i64 {
@@ -331,9 +374,9 @@ impl Planes {
 
     /// The low 32 bits of a plane. Values at covered fragments fit, so that
     /// wrapping on the way there does no harm.
-    fn plane32(&self, corners: [i64; 3], add: i64) -> Plane32 {
+    fn plane32(&self, corners: [i64; 3]) -> Plane32 {
         let Plane64 { c, dx, dy } = self.plane_from(self.solve(corners));
-        Plane32 { c: c.wrapping_add(add) as i32, dx: dx as i32, dy: dy as i32 }
+        Plane32 { c: c as i32, dx: dx as i32, dy: dy as i32 }
     }
 
     /// A plane, and whether its sums are exact in floats over the bounds.
@@ -365,8 +408,8 @@ fn line(ends: &[PaletteVertex; 2], screen: &Rect, state: u32) -> Option<Shape> {
     if length == 0 {
         return Some(shape);
     }
-    shape.depth = line_depth([a.depth, b.depth], length, pa[major], major, &bounds);
-    shape.depth_range = (a.depth.min(b.depth), a.depth.max(b.depth));
+    let depth = line_depth([a.depth, b.depth], length, pa[major], major, &bounds);
+    shape.set_depth(depth, (a.depth.min(b.depth), a.depth.max(b.depth)));
     // Twice the distance from the line, in units of 1/length, along the minor
     // axis: at least -length, below length.
     let rise = pb[1 - major] - pa[1 - major];
@@ -378,15 +421,14 @@ fn line(ends: &[PaletteVertex; 2], screen: &Rect, state: u32) -> Option<Shape> {
 }
 
 /// The depth plane of a line from `from` on along axis `major`.
-fn line_depth([a, b]: [u16; 2], length: i64, from: i64, major: usize, bounds: &Rect) -> Plane32 {
+fn line_depth([a, b]: [u16; 2], length: i64, from: i64, major: usize, bounds: &Rect) -> Plane64 {
     let rise = i64::from(b) - i64::from(a);
     let reference = i64::from([bounds.x0, bounds.y0][major]);
     let value = i64::from(a) * length + rise * (reference - from);
     let value = (value << FRACTION).div_euclid(length) + HALF;
     let step = (rise << FRACTION).div_euclid(length);
-    let c = value.wrapping_sub(step.wrapping_mul(reference)) as i32;
-    let step = step as i32;
-    if major == 0 { Plane32 { c, dx: step, dy: 0 } } else { Plane32 { c, dx: 0, dy: step } }
+    let c = value.wrapping_sub(step.wrapping_mul(reference));
+    if major == 0 { Plane64 { c, dx: step, dy: 0 } } else { Plane64 { c, dx: 0, dy: step } }
 }
 
 #[cfg(test)]

@@ -104,6 +104,9 @@ pub(crate) struct Triangle {
     /// Whether w, and s, t, w of the units in use, are small enough over
     /// `bounds` to be iterated in floats exactly.
     pub exact: bool,
+    /// Whether it is so small that 32 bits hold its edges' values at and around
+    /// its pixels.
+    pub compact: bool,
     /// First of its groups of 64-bit planes in [`Triangles`].
     wide: u32,
     /// Level of detail of each unit at w = 1, without bias.
@@ -156,7 +159,12 @@ pub(crate) struct Screen {
     pub width: u32,
     pub height: u32,
     pub origin: Origin,
+    /// Surface pixels of a pixel that coordinates count, 1 to [`MAX_SCALE`].
+    pub scale: u32,
 }
+
+/// The largest scale: the products of an edge still fit.
+pub const MAX_SCALE: u32 = 4;
 
 /// Limits below which f64 iteration and division are exact: s and t are
 /// multiplied by 256 and must stay below 2^53, w keeps to the 48 bits it has.
@@ -199,6 +207,7 @@ pub(crate) fn prepare<'a>(
         state,
         edge_count: 0,
         exact,
+        compact: is_compact(launch),
         wide,
         lod_base: lods,
         edges: [Edge::default(); 3],
@@ -225,12 +234,20 @@ fn add_edges(triangle: &mut Triangle, launch: &Launch, screen: &Screen) {
     }
 }
 
+/// Whether a triangle fits in 256 pixels each way.
+#[inline(always)]
+fn is_compact(launch: &Launch) -> bool {
+    let [ax, bx, cx] = launch.x;
+    let width = ax.max(bx).max(cx) - ax.min(bx).min(cx);
+    width.max(launch.y[2] - launch.y[0]) < 256 << COORD_FRACTION
+}
+
 /// The part of the screen that can be covered, or `None`.
 fn bounds(launch: &Launch, screen: &Screen) -> Option<Rect> {
     let [ay, _, cy] = launch.y;
     let rows = [(ay + 7) >> COORD_FRACTION, (cy + 7) >> COORD_FRACTION];
-    let left = launch.x.into_iter().min().unwrap_or(0);
-    let right = launch.x.into_iter().max().unwrap_or(0);
+    let [ax, bx, cx] = launch.x;
+    let (left, right) = (ax.min(bx).min(cx), ax.max(bx).max(cx));
     let columns = [(left + 7) >> COORD_FRACTION, (right + 7) >> COORD_FRACTION];
     let limit =
         |[from, to]: [i32; 2], size: u32| [from.clamp(0, size as i32), to.clamp(0, size as i32)];
@@ -343,7 +360,7 @@ mod tests {
     use super::*;
     use crate::setup::{Param, Registers};
 
-    const SCREEN: Screen = Screen { width: 64, height: 64, origin: Origin::UpperLeft };
+    const SCREEN: Screen = Screen { width: 64, height: 64, origin: Origin::UpperLeft, scale: 1 };
 
     fn right_triangle() -> Registers {
         // (8.5, 8.5), (16.5, 8.5), (16.5, 16.5): the centres on the left edge

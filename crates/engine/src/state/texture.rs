@@ -15,8 +15,9 @@ pub enum Filter {
     Bilinear,
 }
 
-/// The level-of-detail limits of a texture unit, 8 fraction bits: 0x000 is the
-/// 256-texel level, 0x100 the 128-texel one, up to 0x800.
+/// The level-of-detail limits of a texture unit, 8 fraction bits: 0x000 is
+/// level 0 of the texture, 0x100 level 1, up to 0xb00; what is above counts as
+/// that.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct LodRange {
     /// The finest level of detail used.

@@ -14,8 +14,14 @@ impl Board {
         self.update();
         let v = self.rules.convert(point);
         let (x, y) = (round_to_sixteenth(v.x).floor(), round_to_sixteenth(v.y).floor());
+        let ramp = Ramp::constant(values(&v));
+        if self.improve.scale > 1 {
+            // All pixels of the pixel: two triangles.
+            let [a, b, c, d] = [(x, y), (x + 1.0, y), (x + 1.0, y + 1.0), (x, y + 1.0)];
+            self.launch(&ramp.registers([a, b, c], false));
+            return self.launch(&ramp.registers([a, d, c], true));
+        }
         let corners = [(x + 0.5, y + 0.5), (x + 1.0, y + 0.5), (x + 1.0, y + 1.0)];
-        let registers = Ramp::constant(values(&v)).registers(corners, false);
-        self.launch(&registers);
+        self.launch(&ramp.registers(corners, false));
     }
 }

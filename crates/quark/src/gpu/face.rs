@@ -100,8 +100,9 @@ impl Gpu {
         } else {
             ([0; 3], [0; 3])
         };
+        // Errors are never below 0, and looking for them takes three divisions.
         let perspective = brush.mode == TriangleMode::Perspective
-            && affine_error(corners) >= i64::from(self.zc_error_max);
+            && (self.zc_error_max <= 0 || affine_error(corners) >= i64::from(self.zc_error_max));
         let corner = |i: usize| PaletteVertex {
             x: corners[i].x,
             y: corners[i].y,

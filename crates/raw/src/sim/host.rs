@@ -6,7 +6,7 @@ use std::rc::Rc;
 use super::kernel::TaskId;
 use super::machine::{HostWait, Machine, Word};
 use super::perf::Counters;
-use crate::host::{HostError, text_of};
+use crate::host::{HostError, MAX_READ, text_of};
 use crate::protocol::{MalformedRecord, Record};
 
 /// What the host interface is connected to: where records come from and where words and log lines
@@ -118,7 +118,13 @@ impl Host {
             self.fault(HostError::NoCount { record: record.saturating_sub(1), offset });
             return true;
         };
-        for _ in 0..count {
+        for sent in 0..count {
+            if sent == MAX_READ {
+                let (record, offset) = self.places;
+                let record = record.saturating_sub(1);
+                self.fault(HostError::Starved { record, offset, wanted: count, sent });
+                break;
+            }
             let word = self.word().await;
             if !(self.side.reply)(word) {
                 return false;

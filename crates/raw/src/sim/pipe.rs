@@ -126,7 +126,7 @@ impl Head {
         let (outcome, address) = {
             let mut core = m.core.borrow_mut();
             let errata = core.config.errata;
-            let outcome = composite::process(&mut core.target, mode, fragment, &errata);
+            let outcome = composite::process_at_pixel(&mut core.target, mode, fragment, &errata);
             (outcome, core.target.frame.address(fragment.x, fragment.y))
         };
         m.work(self.tile(), m.costs.s4.pixel.share(1, STEPS as u32));

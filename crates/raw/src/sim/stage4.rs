@@ -291,7 +291,7 @@ pub fn draw(
     let (outcome, address) = {
         let mut core = m.core.borrow_mut();
         let errata = core.config.errata;
-        let outcome = composite::process(&mut core.target, mode, fragment, &errata);
+        let outcome = composite::process_at_pixel(&mut core.target, mode, fragment, &errata);
         (outcome, core.target.frame.address(fragment.x, fragment.y))
     };
     m.work(tile, m.costs.s4.pixel);

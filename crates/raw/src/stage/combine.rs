@@ -21,6 +21,7 @@ pub struct Textured {
 }
 
 /// Takes one fragment through stage 3.
+#[inline(always)]
 pub fn process(
     textures: &TextureManager,
     info: &PrimInfo,
@@ -42,6 +43,7 @@ pub fn process(
 }
 
 /// Applies the alpha modes to texel and colour; returns both.
+#[inline(always)]
 fn condition(info: &PrimInfo, texel: u32, base: u32) -> (u32, u32) {
     let mode = info.mode;
     let mut texel = condition_one(texel, mode.tex_alpha(), info.alpha_thresh);
@@ -58,6 +60,7 @@ fn condition(info: &PrimInfo, texel: u32, base: u32) -> (u32, u32) {
     (texel, base)
 }
 
+#[inline(always)]
 fn condition_one(word: u32, mode: u32, threshold: u32) -> u32 {
     match mode {
         alpha::NONE => word | color::OPAQUE,
@@ -66,6 +69,7 @@ fn condition_one(word: u32, mode: u32, threshold: u32) -> u32 {
     }
 }
 
+#[inline(always)]
 fn combine(info: &PrimInfo, base: u32, texel: u32, errata: &Errata) -> u32 {
     let decal = |over: u32, under: u32, k: u32| {
         let mixed = color::mix(over, under, k);
@@ -80,40 +84,44 @@ fn combine(info: &PrimInfo, base: u32, texel: u32, errata: &Errata) -> u32 {
         texmode::BLEND => color::mix(base, texel, balance(info.col_tex_balance)),
         texmode::TEXDECAL => decal(texel, base, low(texel)),
         texmode::COLDECAL => decal(base, texel, low(base)),
-        texmode::MODULATE => color::per_channel(base, texel, mul),
+        texmode::MODULATE => color::modulate(base, texel),
         _ => color::OPAQUE,
     }
 }
 
 /// The blend weight 0.0..=1.0 as 0..=255.
+#[inline(always)]
 fn balance(weight: f32) -> u32 {
     ((weight * 256.0) as u32).min(255)
 }
 
+#[inline(always)]
 fn light(info: &PrimInfo, fragment: u32, input: &UntexFragment, errata: &Errata) -> u32 {
     let (mode, intensity) = (info.mode, input.intensity);
     let ambient = term(mode.use_amb(), info.amb_color, low(info.amb_color), fragment);
     let strength = light_byte(intensity, errata);
     let direct = term(mode.use_dir(), info.dir_color, strength, fragment);
-    let mut lit = color::per_channel(ambient, direct, |a, d| (a + d).min(255));
+    let mut lit = color::add(ambient, direct);
     if mode.more_light() == 1 {
         // Further lights shine on the surface like the first; highlights are on top of it.
-        let further = color::per_channel(input.diffuse, fragment, mul);
+        let further = color::modulate(input.diffuse, fragment);
         for light in [further, input.specular] {
-            lit = color::per_channel(lit, light, |a, d| (a + d).min(255));
+            lit = color::add(lit, light);
         }
     }
     with_low(lit, low(fragment))
 }
 
 /// One light's share of each channel: light colour times its intensity times the fragment.
+#[inline(always)]
 fn term(used: u32, light: u32, intensity: u32, fragment: u32) -> u32 {
     if used == 0 {
         return 0;
     }
-    color::per_channel(light, fragment, |l, f| mul(mul(l, intensity), f))
+    color::modulate(color::scale(light, intensity), fragment)
 }
 
+#[inline(always)]
 fn light_byte(intensity: f32, errata: &Errata) -> u32 {
     let scaled = intensity * 256.0;
     // Converted to an unsigned word, a negative intensity becomes huge.

@@ -3,7 +3,7 @@
 //! Source: RAW, compositing listing.
 
 use super::Fragment;
-use crate::color::{self, low, mul};
+use crate::color::{self, low};
 use crate::errata::Errata;
 use crate::framebuffer::{DepthBuffer, FrameBuffer, Pages};
 use crate::state::ModeBits;
@@ -30,6 +30,42 @@ impl Target {
     }
 }
 
+/// Where fragments are drawn: the buffers, or a part of them with addresses of its own.
+pub trait Canvas {
+    /// The pages fragments go to.
+    fn pages(&self) -> Pages;
+    /// The depth at an address.
+    fn depth(&self, address: u64) -> i32;
+    /// Sets the depth at an address.
+    fn set_depth(&mut self, address: u64, z: i32);
+    /// The pixel at an address of the front or the back page.
+    fn read(&self, address: u64, front: bool) -> u32;
+    /// Writes a pixel to pages.
+    fn write(&mut self, address: u64, pages: Pages, word: u32);
+}
+
+impl Canvas for Target {
+    fn pages(&self) -> Pages {
+        self.pages
+    }
+
+    fn depth(&self, address: u64) -> i32 {
+        self.depth.read(address)
+    }
+
+    fn set_depth(&mut self, address: u64, z: i32) {
+        self.depth.write(address, z);
+    }
+
+    fn read(&self, address: u64, front: bool) -> u32 {
+        self.frame.read(address, front)
+    }
+
+    fn write(&mut self, address: u64, pages: Pages, word: u32) {
+        self.frame.write(address, pages, word);
+    }
+}
+
 /// What happened to a fragment, for the cost model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Outcome {
@@ -45,45 +81,65 @@ pub struct Outcome {
     pub depth_written: bool,
 }
 
-/// Draws one fragment; alpha 0 is skipped, equal depth passes.
-pub fn process(target: &mut Target, mode: ModeBits, f: &Fragment, errata: &Errata) -> Outcome {
+/// Draws one fragment of a whole screen; alpha 0 is skipped, equal depth passes.
+pub fn process_at_pixel(
+    target: &mut Target,
+    mode: ModeBits,
+    f: &Fragment,
+    errata: &Errata,
+) -> Outcome {
+    let address = target.frame.address(f.x, f.y);
+    process(target, mode, f, address, errata)
+}
+
+/// Draws one fragment at an address; alpha 0 is skipped, equal depth passes.
+#[inline]
+pub fn process<C: Canvas>(
+    target: &mut C,
+    mode: ModeBits,
+    f: &Fragment,
+    address: u64,
+    errata: &Errata,
+) -> Outcome {
     let alpha = low(f.rgba);
     let mut outcome = Outcome::default();
     if alpha == 0 {
         return outcome;
     }
-    let address = target.frame.address(f.x, f.y);
     outcome.tested = mode.no_use_z() == 0;
-    if outcome.tested && !passes(target.depth.read(address), f.z, errata) {
+    if outcome.tested && !passes(target.depth(address), f.z, errata) {
         return outcome;
     }
     outcome.drawn = true;
     if alpha == 255 {
-        target.frame.write(address, target.pages, color::with_low(f.rgba, 0));
+        target.write(address, target.pages(), color::with_low(f.rgba, 0));
         // One message serves both pages, and is sent even when no page is selected.
         outcome.page_writes = 1;
     } else {
         blend(target, address, f.rgba, &mut outcome);
     }
     if mode.no_write_z() == 0 {
-        target.depth.write(address, f.z);
+        target.set_depth(address, f.z);
         outcome.depth_written = true;
     }
     outcome
 }
 
-fn passes(stored: i32, z: i32, errata: &Errata) -> bool {
+/// Whether a depth passes the test against the stored one.
+#[inline(always)]
+pub fn passes(stored: i32, z: i32, errata: &Errata) -> bool {
     if errata.unsigned_depth { z as u32 <= stored as u32 } else { z <= stored }
 }
 
 /// Blends into each selected page on its own, back page first.
-fn blend(target: &mut Target, address: u64, source: u32, outcome: &mut Outcome) {
+fn blend<C: Canvas>(target: &mut C, address: u64, source: u32, outcome: &mut Outcome) {
     let alpha = low(source);
-    let each = [(target.pages.back(), Pages::BACK), (target.pages.front(), Pages::FRONT)];
+    let pages = target.pages();
+    let each = [(pages.back(), Pages::BACK), (pages.front(), Pages::FRONT)];
     for (_, page) in each.into_iter().filter(|(selected, _)| *selected) {
-        let below = target.frame.read(address, page.front());
-        let mixed = color::per_channel(source, below, |s, d| mul(s, alpha) + mul(d, 255 - alpha));
-        target.frame.write(address, page, color::with_low(mixed, 0));
+        let below = target.read(address, page.front());
+        let mixed = color::mix(source, below, alpha);
+        target.write(address, page, color::with_low(mixed, 0));
         outcome.page_reads += 1;
         outcome.page_writes += 1;
     }
@@ -102,7 +158,7 @@ mod tests {
         let mut target = Target::new(4, 4);
         let mode = ModeBits::default();
         let draw = |target: &mut Target, z, rgba| {
-            process(target, mode, &fragment(z, rgba), &Errata::CORRECT).drawn
+            process_at_pixel(target, mode, &fragment(z, rgba), &Errata::CORRECT).drawn
         };
         assert!(draw(&mut target, 5, 0x1100_00ff));
         assert!(draw(&mut target, 5, 0x2200_00ff));
@@ -116,7 +172,7 @@ mod tests {
         let mut target = Target::new(4, 4);
         let faithful = Errata { unsigned_depth: true, ..Errata::CORRECT };
         let mode = ModeBits::default();
-        assert!(!process(&mut target, mode, &fragment(-6, 0xff), &faithful).drawn);
+        assert!(!process_at_pixel(&mut target, mode, &fragment(-6, 0xff), &faithful).drawn);
     }
 
     #[test]
@@ -124,8 +180,12 @@ mod tests {
         let mut target = Target::new(4, 4);
         target.pages = Pages::BOTH;
         target.frame.write(5, Pages::FRONT, 0xff00_0000);
-        let outcome =
-            process(&mut target, ModeBits::default(), &fragment(0, 0x0000_ff80), &Errata::CORRECT);
+        let outcome = process_at_pixel(
+            &mut target,
+            ModeBits::default(),
+            &fragment(0, 0x0000_ff80),
+            &Errata::CORRECT,
+        );
         assert_eq!((outcome.page_reads, outcome.page_writes), (2, 2));
         assert_eq!(target.frame.read(5, false), 0x0000_8000);
         assert_eq!(target.frame.read(5, true), 0x7f00_8000);

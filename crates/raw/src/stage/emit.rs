@@ -171,7 +171,9 @@ impl Emitter {
         out
     }
 
-    fn depth(&self, z: f32) -> i32 {
+    /// A depth as a word.
+    #[inline(always)]
+    pub fn depth(&self, z: f32) -> i32 {
         // As f32 the scale is 2^31, one more than the largest depth.
         let scaled = z * 2_147_483_648.0;
         if self.overflow_depth && scaled >= 2_147_483_648.0 { i32::MIN } else { trunc_i32(scaled) }

@@ -125,6 +125,39 @@ pub struct Fragment {
 }
 
 /// Converts a float to a word, truncating towards zero and saturating; not-a-number gives 0.
+#[inline(always)]
 pub(crate) fn trunc_i32(value: f32) -> i32 {
     value as i32
+}
+
+/// Rounds a float towards zero. The target's base level has no instruction for it, so that the
+/// library's function would be called for each texel.
+#[inline(always)]
+pub(crate) fn trunc_f32(value: f32) -> f32 {
+    // From 2^23 on every float is whole; not-a-number is passed on as well.
+    if value.abs() < 8_388_608.0 { value as i32 as f32 } else { value }
+}
+
+/// Rounds a float down.
+#[inline(always)]
+pub(crate) fn floor_f32(value: f32) -> f32 {
+    let whole = trunc_f32(value);
+    if whole > value { whole - 1.0 } else { whole }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounding_is_that_of_the_library() {
+        let edges = [0.0, 0.5, 0.999_999_94, 1.0, 8_388_607.5, 8_388_608.0, 3e38, f32::INFINITY];
+        for value in
+            edges.into_iter().flat_map(|v| [v, -v]).chain((0..4096).map(|i| i as f32 / 7.0 - 300.0))
+        {
+            assert_eq!(trunc_f32(value), value.trunc(), "{value}");
+            assert_eq!(floor_f32(value), value.floor(), "{value}");
+        }
+        assert!(trunc_f32(f32::NAN).is_nan() && floor_f32(f32::NAN).is_nan());
+    }
 }

@@ -209,6 +209,12 @@ impl Setup {
         self.z[0] * (x as f32 + 0.5) + self.z[1] * (y as f32 + 0.5) + self.z[2]
     }
 
+    /// The depth at the centre of a pixel as a word; 0 where the mode has no use for it.
+    #[inline(always)]
+    pub fn depth_word(&self, x: i32, y: i32) -> i32 {
+        if self.emitter.needs.z { self.emitter.depth(self.depth(x, y)) } else { 0 }
+    }
+
     /// The fragment at a pixel, from the lanes there.
     #[inline(always)]
     pub fn fragment(&self, x: i32, y: i32, lanes: &[f32; LANES]) -> UntexFragment {

@@ -2,7 +2,7 @@
 //!
 //! Source: RAW, texture listing and its table of wrap examples; f32 arithmetic in its order.
 
-use super::trunc_i32;
+use super::{floor_f32, trunc_f32, trunc_i32};
 use crate::color;
 use crate::errata::Errata;
 use crate::state::{PrimInfo, mipmap, textile};
@@ -23,7 +23,7 @@ pub struct Sample {
 pub const MAX_TEXELS: usize = 8;
 
 /// Looks the texel for coordinates `u`, `v` up. `footprint` is how far they move in one pixel.
-#[inline]
+#[inline(always)]
 pub fn sample(
     textures: &TextureManager,
     info: &PrimInfo,
@@ -35,26 +35,22 @@ pub fn sample(
         return Sample::default();
     }
     let Some(texture) = textures.get(info.texture_id) else { return Sample::default() };
-    let at = |texture: Texture| {
-        let sampler = Sampler { textures, texture, tile: info.mode.textile(), errata };
-        match info.mode.tex_interp() {
-            0 => sampler.nearest(u, v),
-            _ => sampler.bilinear(u, v),
-        }
-    };
+    let at = |texture| Sampler { textures, texture, tile: info.mode.textile(), errata };
+    let smooth = info.mode.tex_interp() == 1;
     if info.mode.mipmap() == mipmap::OFF || texture.levels == 1 {
-        return at(texture);
+        return at(texture).look_up([u, v], smooth);
     }
     let lod = level_of_detail(&texture, footprint);
     if info.mode.mipmap() == mipmap::NEAREST {
-        return at(texture.level((lod + 0.5) as u32));
+        return at(texture.level((lod + 0.5) as u32)).look_up([u, v], smooth);
     }
     let (level, fraction) = (lod as u32, lod - (lod as u32) as f32);
-    let fine = at(texture.level(level));
+    let fine = at(texture.level(level)).look_up([u, v], smooth);
     if fraction == 0.0 {
         return fine;
     }
-    blend(&fine, &at(texture.level(level + 1)), fraction)
+    let coarse = at(texture.level(level + 1)).look_up([u, v], smooth);
+    blend(&fine, &coarse, fraction)
 }
 
 /// Which level matches: the logarithm of how many texels of the finest level a pixel covers along
@@ -88,6 +84,12 @@ struct Sampler<'a> {
 }
 
 impl Sampler<'_> {
+    #[inline(always)]
+    fn look_up(&self, [u, v]: [f32; 2], smooth: bool) -> Sample {
+        if smooth { self.bilinear(u, v) } else { self.nearest(u, v) }
+    }
+
+    #[inline(always)]
     fn nearest(&self, u: f32, v: f32) -> Sample {
         let (w, h) = (self.texture.width, self.texture.height);
         let x = self.index(self.wrap(u) * w as f32);
@@ -98,22 +100,29 @@ impl Sampler<'_> {
         Sample { texel, looked_up: true, addresses: first(&[address]) }
     }
 
+    #[inline(always)]
     fn bilinear(&self, u: f32, v: f32) -> Sample {
         let (x0, x1, fx) = self.neighbours(u, self.texture.width);
         let (y0, y1, fy) = self.neighbours(v, self.texture.height);
         let at = [(x0, y0), (x1, y0), (x0, y1), (x1, y1)].map(|(x, y)| self.address(x, y));
-        let texels = at.map(|a| color::unpack(a.map_or(0, |a| self.textures.word(a))));
-        let channel = |c: usize| {
-            let t = texels.map(|t| t[c] as f32);
-            // The upper row is cut to a byte before the second blend, the lower one is not.
-            let top = (trunc_i32(t[0] * (1.0 - fx) + t[1] * fx) & 0xff) as f32;
-            trunc_i32(top * (1.0 - fy) + (t[2] * (1.0 - fx) + t[3] * fx) * fy) as u32
+        let texels = at.map(|a| {
+            let word = a.map_or(0, |a| self.textures.word(a));
+            color::unpack(word).map(|c| c as f32)
+        });
+        let across = |left: &[f32; 4], right: &[f32; 4]| -> [f32; 4] {
+            std::array::from_fn(|c| left[c] * (1.0 - fx) + right[c] * fx)
         };
-        let texel = color::pack(channel(0), channel(1), channel(2), channel(3));
+        // The upper row is cut to a byte before the second blend, the lower one is not.
+        let top = across(&texels[0], &texels[1]).map(|t| (trunc_i32(t) & 0xff) as f32);
+        let bottom = across(&texels[2], &texels[3]);
+        let channels: [u32; 4] =
+            std::array::from_fn(|c| trunc_i32(top[c] * (1.0 - fy) + bottom[c] * fy) as u32);
+        let texel = color::pack(channels[0], channels[1], channels[2], channels[3]);
         Sample { texel, looked_up: true, addresses: first(&at) }
     }
 
     /// Lower and upper texel index along one axis, and the weight of the upper one.
+    #[inline(always)]
     fn neighbours(&self, c: f32, size: u32) -> (i64, i64, f32) {
         let mut c = self.wrap(c - 0.5 / size as f32) * size as f32;
         if self.tile == textile::CLAMP {
@@ -134,22 +143,25 @@ impl Sampler<'_> {
             };
         }
         // A repeat can land exactly on the far edge; that is the first texel again.
-        let low = if self.repeats_fully() { low.rem_euclid(i64::from(size)) } else { low };
+        let low = if self.repeats_fully() { repeated(low, size) } else { low };
         (low, high, fraction)
     }
 
     /// Neighbours under mirroring, where the texel beyond an edge is the edge texel itself.
+    #[inline(always)]
     fn mirrored(&self, c: f32, size: u32) -> (i64, i64, f32) {
         let low = self.index(c);
         let last = i64::from(size) - 1;
         (low.clamp(0, last), (low + 1).clamp(0, last), c - low as f32)
     }
 
+    #[inline(always)]
     fn repeats_fully(&self) -> bool {
         self.tile == textile::REPEAT && !self.errata.repeat_to_one
     }
 
     /// Maps a coordinate into 0..1 as the tiling mode says.
+    #[inline(always)]
     fn wrap(&self, c: f32) -> f32 {
         match self.tile {
             textile::REPEAT => {
@@ -161,6 +173,7 @@ impl Sampler<'_> {
         }
     }
 
+    #[inline(always)]
     fn mirror(&self, c: f32) -> f32 {
         let size = c.abs();
         // The listing takes the whole part of the signed coordinate.
@@ -169,22 +182,25 @@ impl Sampler<'_> {
         if whole % 2.0 != 0.0 { 1.0 - fraction } else { fraction }
     }
 
+    #[inline(always)]
     fn index(&self, c: f32) -> i64 {
-        let whole = if self.errata.texel_truncates { trunc_f32(c) } else { c.floor() };
+        let whole = if self.errata.texel_truncates { trunc_f32(c) } else { floor_f32(c) };
         whole as i64
     }
 
     /// Keeps an index inside the texture where the tiling mode demands it. `clamp_to` is the size
     /// the clamp mode uses.
+    #[inline(always)]
     fn limit(&self, index: i64, size: u32, clamp_to: u32) -> i64 {
         match self.tile {
             textile::CLAMP => index.clamp(0, i64::from(clamp_to) - 1),
-            textile::REPEAT if !self.errata.repeat_to_one => index.rem_euclid(i64::from(size)),
+            textile::REPEAT if !self.errata.repeat_to_one => repeated(index, size),
             textile::MIRROR if !self.errata.mirror_wrap => index.clamp(0, i64::from(size) - 1),
             _ => index,
         }
     }
 
+    #[inline(always)]
     fn address(&self, x: i64, y: i64) -> Option<usize> {
         let inside = (0..i64::from(self.texture.width)).contains(&x)
             && (0..i64::from(self.texture.height)).contains(&y);
@@ -192,13 +208,17 @@ impl Sampler<'_> {
     }
 }
 
-/// The addresses of one level.
-fn first(addresses: &[Option<usize>]) -> [Option<usize>; MAX_TEXELS] {
-    std::array::from_fn(|i| addresses.get(i).copied().flatten())
+/// An index modulo the size; nearly always it is inside already.
+#[inline(always)]
+fn repeated(index: i64, size: u32) -> i64 {
+    let size = i64::from(size);
+    if (0..size).contains(&index) { index } else { index.rem_euclid(size) }
 }
 
-fn trunc_f32(c: f32) -> f32 {
-    c.trunc()
+/// The addresses of one level.
+#[inline(always)]
+fn first(addresses: &[Option<usize>]) -> [Option<usize>; MAX_TEXELS] {
+    std::array::from_fn(|i| addresses.get(i).copied().flatten())
 }
 
 #[cfg(test)]

@@ -48,9 +48,9 @@ impl Thin {
         let sizes = [screen.width as i32, screen.height as i32];
         // Pixel centres between the ends, whichever way the line runs; the second end is open.
         let (low, high) = if a[main] <= b[main] {
-            (ceil(a[main] - 0.5), ceil(b[main] - 0.5) - 1)
+            (ceil(a[main] - 0.5), ceil(b[main] - 0.5).saturating_sub(1))
         } else {
-            (floor(b[main] - 0.5) + 1, floor(a[main] - 0.5))
+            (floor(b[main] - 0.5).saturating_add(1), floor(a[main] - 0.5))
         };
         let line = Line {
             along_x,

@@ -4,5 +4,7 @@ mod beyond;
 mod common;
 mod distribution;
 mod experiment;
+mod fast;
 mod fragments;
+mod hostile;
 mod parallel;

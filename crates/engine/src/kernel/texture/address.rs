@@ -9,6 +9,7 @@ use crate::kernel::block::{Block, Lanes, STAMP, Slot};
 use crate::kernel::lanes::ramp_wide;
 use crate::setup::Plane64;
 use crate::state::Filter;
+use crate::texture::MAX_LEVELS;
 
 /// How one level is addressed, lane by lane.
 #[derive(Clone, Copy)]
@@ -36,7 +37,7 @@ pub(crate) struct TextureSteps {
     rise: f64,
     fall: f64,
     /// Level `n + 1` or a coarser one holds where w is below entry `n`.
-    thresholds: [f64; 8],
+    thresholds: [f64; MAX_LEVELS - 1],
     /// Level of detail of the triangle at w = 1, with the bias.
     base: i32,
     /// The level of the last stamp that had only one.
@@ -59,7 +60,7 @@ impl TextureSteps {
         w: [0.0; STAMP],
         rise: 0.0,
         fall: 0.0,
-        thresholds: [0.0; 8],
+        thresholds: [0.0; MAX_LEVELS - 1],
         base: 0,
         last: Level { number: 0, least: 0.0, limit: 0.0 },
     };

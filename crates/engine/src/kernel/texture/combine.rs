@@ -4,6 +4,7 @@ use fillrate_simd::{IntLanes, Simd};
 
 use super::UnitPlan;
 use crate::kernel::block::Block;
+use crate::kernel::combine::Arithmetic;
 use crate::kernel::lanes::{join, spread_alpha};
 use crate::state::TextureFactor;
 
@@ -32,10 +33,16 @@ pub(crate) fn texture_combine<S: Simd>(s: S, block: &mut Block, plan: &UnitPlan)
         } else {
             zero
         };
-        let rb = [other_rb, local_rb, alpha, color[0] ^ odd];
-        let ga = [other_ga, local_ga, alpha, join(s, color[1], alpha_factor[1]) ^ odd];
-        s.store(plan.switches.apply(s, 0, rb), &mut block.texture.rb.0[k..]);
-        s.store(plan.switches.apply(s, 1, ga), &mut block.texture.ga.0[k..]);
+        let factor_ga = join(s, color[1], alpha_factor[1]) ^ odd;
+        let (rb, ga) = if plan.arithmetic == Arithmetic::Scale {
+            let rb = plan.switches.scaled(s, 0, other_rb, color[0] ^ odd);
+            (rb, plan.switches.scaled(s, 1, other_ga, factor_ga))
+        } else {
+            let rb = plan.switches.apply(s, 0, [other_rb, local_rb, alpha, color[0] ^ odd]);
+            (rb, plan.switches.apply(s, 1, [other_ga, local_ga, alpha, factor_ga]))
+        };
+        s.store(rb, &mut block.texture.rb.0[k..]);
+        s.store(ga, &mut block.texture.ga.0[k..]);
     }
 }
 

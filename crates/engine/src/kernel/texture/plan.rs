@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::kernel::combine::Switches;
+use crate::kernel::combine::{Arithmetic, Switches};
 use crate::state::{Addend, CombineUnit, Filter, TextureCombine, TextureFactor, TextureUnit};
-use crate::texture::Texture;
+use crate::texture::{MAX_LEVELS, Texture};
 
 /// Level tables of a texture, indexed by level of detail; the level a split
 /// chain lacks is already replaced.
@@ -37,10 +37,11 @@ pub(crate) struct UnitPlan {
     /// The unit upstream counts.
     pub has_other: bool,
     pub switches: Switches,
+    pub arithmetic: Arithmetic,
 }
 
 /// The coarsest level of detail there is.
-const COARSEST: i32 = 0x800;
+const COARSEST: i32 = (MAX_LEVELS as i32 - 1) << 8;
 
 impl UnitPlan {
     /// Compiles unit `index`; `has_other` where a unit upstream is in use.
@@ -58,6 +59,7 @@ impl UnitPlan {
             texel_only: passes_texel(&combine),
             has_other,
             switches: Switches::new(&combine.color, &combine.alpha),
+            arithmetic: Arithmetic::of(&combine.color, &combine.alpha, true),
             texture,
         }
     }
