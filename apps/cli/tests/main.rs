@@ -1,6 +1,7 @@
 //! The program and the C library as a user meets them: examples compiled by
 //! the system's C compiler, run, recorded and replayed.
 
+mod bench;
 mod card;
 #[path = "conformance/mod.rs"]
 mod conformance;
@@ -239,6 +240,7 @@ fn exit_codes() {
     };
     assert_eq!(code(&["no-such-command"]), Some(2));
     assert_eq!(code(&["bench", "--simd", "mmx"]), Some(2));
+    assert_eq!(code(&["bench", "--size", "5000x480"]), Some(2));
     assert_eq!(code(&["replay", "Cargo.toml"]), Some(3));
     assert_eq!(code(&["run", "--", "/no/such/program"]), Some(3));
     assert_eq!(code(&["demo", "--only", "no-such-scene"]), Some(3));
@@ -256,6 +258,7 @@ fn dependencies_point_one_way() {
         ("fillrate-simd", &[][..]),
         ("fillrate-call", &[]),
         ("fillrate-guard", &[]),
+        ("fillrate-geometry", &[]),
         ("fillrate-engine", &["fillrate-simd"]),
         ("fillrate-glide", &["fillrate-engine", "fillrate-call"]),
         ("fillrate-settings", &["fillrate-glide", "fillrate-engine", "fillrate-simd"]),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use fillrate_engine::state::MAX_TMUS;
-use fillrate_engine::{Counters, Device, DeviceConfig, DrawState, Texture};
+use fillrate_engine::{Counters, Device, DeviceConfig, DrawState, Texture, Vertex};
 
 use crate::board::Board;
 use crate::buffers::Shown;
@@ -290,6 +290,14 @@ impl Context {
     pub fn draw_state(&mut self) -> Option<(DrawState, [Option<Arc<Texture>>; MAX_TMUS])> {
         let board = self.boards.get_mut(self.current).filter(|board| board.is_open())?;
         Some(board.engine_state())
+    }
+
+    /// A vertex as the current board hands it to the engine; `None` while the
+    /// board is closed.
+    pub fn engine_vertex(&mut self, vertex: &GrVertex) -> Option<Vertex> {
+        let board = self.boards.get_mut(self.current).filter(|board| board.is_open())?;
+        board.update();
+        Some(board.rules.convert(vertex))
     }
 
     /// Pixel and triangle counters of the current board since their resets.

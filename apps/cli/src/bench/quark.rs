@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use anyhow::{Context as _, Result, bail};
-use fillrate_engine::DeviceConfig;
+use fillrate_engine::{Counters, DeviceConfig};
 use fillrate_glide::{Call, Context, GlideConfig, GrVertex};
 use fillrate_player::{Frame, Pixels};
 use fillrate_quark::{
@@ -15,8 +15,9 @@ use fillrate_quark::{
     TriangleMode, Vertex, VertexFormat, color_rgb, math,
 };
 
-use super::Drawing;
+use super::drawing::Drawing;
 use super::scene::{Random, texture as glide_texture};
+use super::size::Size;
 
 /// What a workload draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,8 +77,8 @@ pub struct Prepared {
 
 impl Prepared {
     /// Makes the processor and what the workload draws.
-    pub fn new(kind: Kind, size: (u32, u32), device: DeviceConfig) -> Result<Prepared> {
-        let (width, height) = size;
+    pub fn new(kind: Kind, size: Size, device: DeviceConfig) -> Result<Prepared> {
+        let Size { width, height } = size;
         let config = GpuConfig { width, height, device: device.clone(), ..GpuConfig::default() };
         let mut gpu = Gpu::new(config)?;
         gpu.set_work_memory(2000, 0)?;
@@ -85,9 +86,9 @@ impl Prepared {
         let scene = if is_scene { terrain()? } else { Vec::new() };
         let faces = match kind {
             Kind::Layers { mode, gouraud, front_to_back, .. } => {
-                quads(size, gouraud, front_to_back, mode.is_textured())
+                quads((width, height), gouraud, front_to_back, mode.is_textured())
             }
-            Kind::Small => small(size),
+            Kind::Small => small((width, height)),
             _ => project(&scene, &gpu),
         };
         let glide = match kind {
@@ -106,13 +107,9 @@ impl Prepared {
             self.pixels = SMALL as f64;
             return;
         }
-        let covered = |p: &mut Prepared| match &mut p.glide {
-            Some((context, _)) => context.counters().pixels_in,
-            None => p.gpu.counters().pixels_in,
-        };
-        let before = covered(self);
+        let before = self.counters().pixels_in;
         self.frame();
-        self.pixels = (covered(self) - before) as f64;
+        self.pixels = (self.counters().pixels_in - before) as f64;
     }
 
     fn draw_scene(&mut self) {
@@ -157,14 +154,20 @@ impl Drawing for Prepared {
         self.pixels
     }
 
-    fn digest(&mut self) -> Result<u64> {
+    fn picture(&mut self) -> Result<Frame> {
         if let Some((context, _)) = &mut self.glide {
             let shown = context.shown().context("nothing is shown")?;
-            return Ok(Frame::new(shown.width, shown.height, Pixels::Rgb565(shown.pixels))?.hash());
+            return Ok(Frame::new(shown.width, shown.height, Pixels::Rgb565(shown.pixels))?);
         }
         let shown = self.gpu.shown();
-        let pixels = Pixels::Rgba8(shown.rgba8888());
-        Ok(Frame::new(shown.width, shown.height, pixels)?.hash())
+        Ok(Frame::new(shown.width, shown.height, Pixels::Rgba8(shown.rgba8888()))?)
+    }
+
+    fn counters(&mut self) -> Counters {
+        match &mut self.glide {
+            Some((context, _)) => context.counters(),
+            None => self.gpu.counters(),
+        }
     }
 }
 
@@ -331,10 +334,10 @@ fn project(scene: &[(TriangleList, [i32; 3])], gpu: &Gpu) -> Vec<[Vertex; 3]> {
 /// z-buffer. Vertices are kept within the chip's coordinates.
 fn glide(
     faces: &[[Vertex; 3]],
-    (width, height): (u32, u32),
+    size: Size,
     device: DeviceConfig,
 ) -> Result<(Context, Vec<GrVertex>)> {
-    let (resolution, _) = super::workload::resolution(&format!("{width}x{height}"))?;
+    let resolution = size.resolution().context("no board shows this size")?;
     let mut context = Context::new(GlideConfig { device, ..GlideConfig::default() })?;
     context.execute(&Call::GrGlideInit {});
     let open = Call::GrSstWinOpen {

@@ -23,6 +23,14 @@ impl Random {
 
 /// Texels of a texture in each direction; coordinates run to 256.
 pub const TEXTURE: f32 = 256.0;
+/// Side of the base texture in texels.
+pub const BASE_SIDE: usize = 256;
+/// Seed of its noise.
+pub const BASE_SEED: u32 = 11;
+/// Side of the light map in texels.
+pub const LIGHT_SIDE: usize = 64;
+/// Seed of its noise.
+pub const LIGHT_SEED: u32 = 77;
 
 /// A corner in the workloads' terms.
 pub struct Corner {
@@ -63,22 +71,29 @@ impl Corner {
     }
 }
 
-/// A full-screen quad as two triangles: a floor from w = 1 at the bottom to 3
-/// at the top (1 everywhere without perspective), texture turned by 30 degrees.
-pub fn quad(
-    (width, height): (f32, f32),
-    z: f32,
-    gouraud: bool,
-    perspective: bool,
-    alpha: u32,
-    seed: u32,
-) -> [GrVertex; 6] {
-    let mut random = Random(seed.wrapping_mul(2_654_435_761).wrapping_add(1));
+/// What differs between full-screen quads.
+pub struct Quad {
+    /// Depth at the bottom, 0 to 1; 0.01 more at the top.
+    pub near: f32,
+    /// Four colours instead of one.
+    pub gouraud: bool,
+    /// A floor from w = 1 at the bottom to 3 at the top; 1 everywhere without.
+    pub perspective: bool,
+    /// 0..=255.
+    pub alpha: u32,
+    /// Of the colours and the texture's place.
+    pub seed: u32,
+}
+
+/// A full-screen quad as two triangles, its texture turned by 30 degrees.
+pub fn quad((width, height): (f32, f32), quad: &Quad) -> [GrVertex; 6] {
+    let alpha = quad.alpha << 24;
+    let mut random = Random(quad.seed.wrapping_mul(2_654_435_761).wrapping_add(1));
     random.bits();
     random.bits();
-    let flat = random.bits() & 0xff_ffff | alpha << 24;
-    let mut color = || match gouraud {
-        true => (random.bits() | 0x40_4040) & 0xff_ffff | alpha << 24,
+    let flat = random.bits() & 0xff_ffff | alpha;
+    let mut color = || match quad.gouraud {
+        true => (random.bits() | 0x40_4040) & 0xff_ffff | alpha,
         false => flat,
     };
     let colors = [color(), color(), color(), color()];
@@ -86,7 +101,9 @@ pub fn quad(
     // Rows count from the bottom in the workloads, from the top here.
     let corners = [(0.0, height), (width, height), (width, 0.0), (0.0, 0.0)];
     [0, 1, 2, 0, 2, 3].map(|i: usize| {
-        let w = if perspective && i >= 2 { 3.0 } else { 1.0 };
+        let top = i >= 2;
+        let w = if quad.perspective && top { 3.0 } else { 1.0 };
+        let z = if top { quad.near + 0.01 } else { quad.near };
         let (x, y) = ((corners[i].0 - width * 0.5) * w * 0.5 / TEXTURE, w * height / 480.0);
         let (cosine, sine) = (0.866_025_4, 0.5);
         let s = x * cosine - y * sine + offset;
@@ -94,6 +111,19 @@ pub fn quad(
         let st = [(s, t), (s * 0.5, t * 0.5)];
         Corner { at: corners[i], z, w, color: colors[i], st }.vertex()
     })
+}
+
+/// A triangle over the first pixel of every `step` x `step` pixels.
+pub fn dots((width, height): (f32, f32), step: u32) -> Vec<GrVertex> {
+    let places = |side: f32| (0..side as u32).step_by(step as usize).map(|at| at as f32);
+    let dot = |(x, y): (f32, f32)| {
+        [(0.0, 0.0), (1.5, 0.0), (0.0, 1.5)].map(|(dx, dy)| {
+            let at = (x + dx, y + dy);
+            Corner { at, z: 0.5, w: 1.0, color: u32::MAX, st: [(0.0, 0.0); 2] }.vertex()
+        })
+    };
+    let all = places(height).flat_map(|y| places(width).map(move |x| (x, y)));
+    all.flat_map(dot).collect()
 }
 
 /// `count` triangles of `area` pixels each, in objects of 64.
