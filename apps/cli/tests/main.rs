@@ -258,6 +258,7 @@ fn dependencies_point_one_way() {
         ("fillrate-simd", &[][..]),
         ("fillrate-call", &[]),
         ("fillrate-guard", &[]),
+        ("fillrate-geometry", &[]),
         ("fillrate-engine", &["fillrate-simd"]),
         ("fillrate-glide", &["fillrate-engine", "fillrate-call"]),
         ("fillrate-settings", &["fillrate-glide", "fillrate-engine", "fillrate-simd"]),

@@ -1,0 +1,42 @@
+//! The application's half of a 3D program: everything between a model and the
+//! vertices that a rasterizer of the 1990s takes, which neither clipped nor
+//! projected. Front ends, programs and engines share it; it names no API.
+//!
+//! View space is left-handed: x to the right, y up, z into the screen, the eye
+//! at the origin (TN, screen coordinates). Distances are in the units of the
+//! world, screen positions in pixels from the top left, depths from 0 (near)
+//! to 1 (far).
+//!
+//! All arithmetic is plain `f32`: sums from left to right as written, no fused
+//! operations, square roots as IEEE 754 has them; sines and tangents are our
+//! own series. The same input gives the same bits on every machine.
+//!
+//! Bad input (not-a-number, values beyond [`MAX_MAGNITUDE`], planes without a
+//! normal, empty lists) gives an empty result or an [`Error`]; nothing panics.
+//!
+//! TN in these documents is the technote on building a 3D application with
+//! RAVE; see `docs/sources.md`.
+
+#![forbid(unsafe_code)]
+
+mod clip;
+mod error;
+mod frustum;
+mod normalized;
+mod plane;
+mod project;
+mod transform;
+mod trig;
+mod vector;
+mod view;
+
+pub use clip::{Clipper, HalfSpace, MAX_VERTICES, Vertex, clip_line, clip_point};
+pub use error::Error;
+pub use frustum::{Containment, Frustum, PlaneMask, Sphere};
+pub use normalized::{NormalizedFrustum, NormalizedSide};
+pub use plane::Plane;
+pub use project::{DepthMap, DepthScale, Projection, ScreenVertex};
+pub use transform::Transform;
+pub use trig::{sin_cos, tan};
+pub use vector::{MAX_MAGNITUDE, Vec3};
+pub use view::{TECHNOTE_FIELD_OF_VIEW, View};
