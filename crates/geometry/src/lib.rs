@@ -19,23 +19,37 @@
 
 #![forbid(unsafe_code)]
 
+mod bsp;
 mod clip;
 mod error;
 mod frustum;
+mod loader;
+mod lod;
+mod mip;
 mod normalized;
 mod plane;
+mod portal;
+mod preflight;
 mod project;
+mod pvs;
 mod transform;
 mod trig;
 mod vector;
 mod view;
 
+pub use bsp::{BspTree, Child, Node, Order};
 pub use clip::{Clipper, HalfSpace, MAX_VERTICES, Vertex, clip_line, clip_point};
 pub use error::Error;
 pub use frustum::{Containment, Frustum, PlaneMask, Sphere};
+pub use loader::{FrameHost, render_frame};
+pub use lod::{choose_level, keep_or_choose_level, projected_radius};
+pub use mip::{WantedTexture, fit_levels, mip_level};
 pub use normalized::{NormalizedFrustum, NormalizedSide};
 pub use plane::Plane;
+pub use portal::{Portal, Rooms};
+pub use preflight::{Batch, Draw, Plan, TextureId, plan_frame};
 pub use project::{DepthMap, DepthScale, Projection, ScreenVertex};
+pub use pvs::{LeafSet, VisibleSets};
 pub use transform::Transform;
 pub use trig::{sin_cos, tan};
 pub use vector::{MAX_MAGNITUDE, Vec3};
