@@ -39,6 +39,9 @@ pub fn session() -> MutexGuard<'static, Session> {
 /// Executes a call, records it, and tells the program what went wrong.
 pub fn call(call: Call) -> u32 {
     let mut session = session();
+    if shows_stores(&call) {
+        session.record_stores();
+    }
     session.record(&call);
     let swaps = session.context.swaps();
     let result = session.context.execute(&call);
@@ -51,6 +54,24 @@ pub fn call(call: Call) -> u32 {
     }
     tell(session);
     result
+}
+
+/// Whether a call carries out what was stored through a lock.
+fn shows_stores(call: &Call) -> bool {
+    matches!(
+        call,
+        Call::GrLfbLock { .. }
+            | Call::GrLfbUnlock { .. }
+            | Call::GrBufferSwap { .. }
+            | Call::GrSstConfigPipeline { .. }
+            | Call::GuFbWriteRegion { .. }
+    )
+}
+
+/// As [`ask`], where the answer is read from a buffer.
+pub fn ask_buffer<T>(question: impl FnOnce(&mut Context) -> T) -> T {
+    session().record_stores();
+    ask(question)
 }
 
 /// Draws a triangle; the call's value is only made where somebody records.
@@ -139,6 +160,15 @@ impl Session {
             callback: None,
             old_buffers: [1, 1],
             records: Records::default(),
+        }
+    }
+
+    /// Records what was stored through the write lock: it is carried out now.
+    fn record_stores(&mut self) {
+        if self.recorder.is_some()
+            && let Some(changes) = self.context.lfb_stores()
+        {
+            self.record(&Call::GrLfbStored { changes: changes.into() });
         }
     }
 

@@ -76,12 +76,15 @@ impl Board {
     /// Shows the back buffer, on the clock after `interval` retraces.
     /// Contents change places, nothing is copied.
     pub(crate) fn swap(&mut self, interval: u32) {
+        // What was stored so far belongs to the buffer it was stored into.
+        self.commit_stores();
         self.device.flush(FlushReason::Swap);
         if let Some(buffers) = &mut self.buffers {
             buffers.colors.rotate_left(1);
             self.swaps += 1;
             self.dirty = true;
         }
+        self.refill();
         self.clock.swap(interval);
     }
 

@@ -149,7 +149,8 @@ value_enum! {
         93 => GrTexMultibaseAddress { tmu: i32, range: i32, start: u32, even_odd: u32, small_lod: i32, large_lod: i32, aspect: i32, format: i32 },
         /// Starts frame buffer access.
         100 => GrLfbLock { kind: i32, buffer: i32, mode: i32, origin: i32, pipeline: i32 },
-        /// Ends frame buffer access; what was written, where anything was.
+        /// Ends frame buffer access; in recordings of 0.1 and before with the whole
+        /// memory, where anything was stored.
         101 => GrLfbUnlock { kind: i32, buffer: i32, written: Option<Data> },
         /// Sets the alpha of writes without alpha.
         102 => GrLfbConstantAlpha { alpha: u8 },
@@ -197,5 +198,7 @@ value_enum! {
         143 => GuFbWriteRegion { buffer: i32, x: i32, y: i32, width: i32, height: i32, stride: i32, data: Data },
         /// Decodes a sprite into a texture level.
         144 => ConvertAndDownloadRle { tmu: i32, start: u32, this_lod: i32, large_lod: i32, aspect: i32, format: i32, even_odd: u32, sprite: Data, rows: i32, u0: u32, v0: u32, width: u32, height: u32, dest_width: u32, dest_height: u32, table: Vec<u16> },
+        /// What was stored through the write lock: runs of pixels.
+        145 => GrLfbStored { changes: Data },
     }
 }

@@ -347,12 +347,12 @@ impl Context {
         board.lock_words(kind).map(Vec::as_mut_slice)
     }
 
-    /// What a program wrote under the write lock, as data of the unlock:
-    /// `None` where nothing changed.
-    pub fn lfb_written(&self, kind: i32) -> Option<Vec<u8>> {
-        let board = self.boards.get(self.current)?;
-        let lock = board.lfb.write.as_ref().filter(|_| kind & 0xf == 1)?;
-        lock.is_changed().then(|| lock.memory.iter().flat_map(|word| word.to_le_bytes()).collect())
+    /// What a program stored through the write lock so far, as data of
+    /// [`crate::Call::GrLfbStored`]: `None` where nothing changed. The unlock, a
+    /// swap and whatever reads a buffer carry it out; a recording needs it
+    /// before them.
+    pub fn lfb_stores(&self) -> Option<Vec<u8>> {
+        self.boards.get(self.current)?.stores()
     }
 
     /// Reads a rectangle; see the front end's `grLfbReadRegion`.

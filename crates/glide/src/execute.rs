@@ -67,6 +67,7 @@ impl Context {
             | Call::GrLfbOrigin { .. }
             | Call::GrLfbWriteColorSwizzle { .. }
             | Call::GuFbWriteRegion { .. }
+            | Call::GrLfbStored { .. }
             | Call::GrLfbBypassMode { .. } => return u32::from(self.lfb_call(call)),
             Call::GrBufferSwap { interval } => self.swap(*interval),
             Call::GrGlideShamelessPlug { on } => self.plug = *on != 0,
@@ -395,10 +396,8 @@ impl Context {
             }
             Call::GrLfbUnlock { kind, buffer, written } => {
                 let Some(board) = self.board("grLfbUnlock") else { return false };
-                if let (Some(data), Some(words)) = (written, board.lock_words(*kind)) {
-                    for (word, bytes) in words.iter_mut().zip(data.as_chunks().0) {
-                        *word = u32::from_le_bytes(*bytes);
-                    }
+                if let (Some(data), 1) = (written, kind & 0xf) {
+                    board.take_whole_memory(data);
                 }
                 let unlocked = board.unlock(*kind, *buffer);
                 self.check(unlocked, "grLfbUnlock", "there is no such lock");
@@ -408,6 +407,11 @@ impl Context {
                 let Some(board) = self.board("grLfbWriteRegion") else { return false };
                 let stride = usize::try_from(*stride).unwrap_or(0);
                 board.write_region(*buffer, (*x, *y), *format, (*width, *height), stride, data)
+            }
+            Call::GrLfbStored { changes } => {
+                let Some(board) = self.board("grLfbUnlock") else { return false };
+                board.apply_stores(changes);
+                true
             }
             Call::GuFbWriteRegion { buffer, x, y, width, height, stride, data } => {
                 let Some(board) = self.board("guFbWriteRegion") else { return false };

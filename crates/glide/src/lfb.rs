@@ -1,8 +1,14 @@
 //! Linear frame buffer access.
 //!
-//! A lock hands out plain memory of 1024 pixels a row. A read lock fills it
-//! with the buffer; a write lock's changes are found and carried out when it
-//! ends, so what a program wrote is data of the unlock.
+//! A lock hands out plain memory of 1024 pixels a row, filled with the buffer.
+//! What a program stored through a write lock is found by comparing, and carried
+//! out when the lock ends, before the buffers change places, and before anything
+//! is read.
+//!
+//! Comparing cannot see a store of what is there already. In 16-bit formats
+//! that hardly matters: the buffer holds it. Memory of 32-bit pixels holds
+//! values that no program stores by accident instead, so that every store is
+//! seen.
 //!
 //! Source: G246, `grLfbLock`; SST1, linear frame buffer formats.
 
@@ -27,7 +33,7 @@ pub(crate) struct Lock {
     pub pipeline: bool,
     /// Rows of 1024 pixels as 32-bit words, the first pixel low.
     pub memory: Vec<u32>,
-    /// The memory as it was handed out.
+    /// The memory before anything was stored.
     shadow: Vec<u32>,
     /// zaColor and fbzMode to restore.
     saved: (u32, u32),
@@ -131,9 +137,93 @@ impl Lock {
     }
 
     /// Whether the memory was changed.
-    pub fn is_changed(&self) -> bool {
+    fn is_changed(&self) -> bool {
         self.memory != self.shadow
     }
+
+    /// What was stored where, as data of a call: for each run of pixels in a
+    /// row, where it starts (1024 times the row, plus the column) and how many
+    /// pixels it has, four bytes each, then the pixels, two or four bytes each.
+    fn changes(&self, width: usize) -> Vec<u8> {
+        let mut out = Vec::new();
+        let bytes = if self.is_wide() { 4 } else { 2 };
+        for (y, run) in self.runs(width) {
+            let (first, count) = ((y * ROW_PIXELS + run.start) as u32, run.len() as u32);
+            out.extend(first.to_le_bytes());
+            out.extend(count.to_le_bytes());
+            for x in run {
+                let pixel = Lock::get(&self.memory, self.is_wide(), x, y).to_le_bytes();
+                out.extend(&pixel[..bytes]);
+            }
+        }
+        out
+    }
+
+    /// Stores what [`Lock::changes`] found; nothing else counts as stored. Data
+    /// that is no such list ends it.
+    fn apply(&mut self, changes: &[u8]) {
+        self.shadow.copy_from_slice(&self.memory);
+        let bytes = if self.is_wide() { 4 } else { 2 };
+        let pixels = self.memory.len() * 4 / bytes;
+        let mut rest = changes;
+        while let Some((head, after)) = rest.split_first_chunk::<8>() {
+            let word = |at: usize| {
+                u32::from_le_bytes([head[at], head[at + 1], head[at + 2], head[at + 3]])
+            };
+            let (first, count) = (word(0) as usize, word(4) as usize);
+            let end = first.saturating_add(count);
+            if end > pixels || after.len() / bytes < count {
+                return;
+            }
+            let (values, after) = after.split_at(count * bytes);
+            for (at, value) in (first..end).zip(values.chunks_exact(bytes)) {
+                let value = value.iter().rev().fold(0, |word, &byte| word << 8 | u32::from(byte));
+                self.store(at, value);
+            }
+            rest = after;
+        }
+    }
+
+    /// Stores a pixel so that it counts as stored, whatever was there.
+    fn store(&mut self, at: usize, value: u32) {
+        let (word, mask, shift) = match self.is_wide() {
+            true => (at, u32::MAX, 0),
+            false => (at / 2, 0xffff << (16 * (at & 1)), 16 * (at & 1)),
+        };
+        self.memory[word] = replace(self.memory[word], mask, value << shift);
+        self.shadow[word] = replace(self.shadow[word], mask, !(value << shift));
+    }
+
+    /// The runs of changed pixels: rows and columns.
+    fn runs(&self, width: usize) -> Vec<(usize, core::ops::Range<usize>)> {
+        let wide = self.is_wide();
+        let words = if wide { ROW_PIXELS } else { ROW_PIXELS / 2 };
+        let mut runs = Vec::new();
+        let rows = self.memory.chunks_exact(words).zip(self.shadow.chunks_exact(words));
+        for (y, (memory, shadow)) in rows.enumerate() {
+            let mut x = if memory == shadow { width } else { 0 };
+            while x < width {
+                let changed =
+                    |x: usize| Lock::get(memory, wide, x, 0) != Lock::get(shadow, wide, x, 0);
+                let end = (x..width).find(|&x| !changed(x)).unwrap_or(width);
+                if end > x {
+                    runs.push((y, x..end));
+                }
+                x = end + 1;
+            }
+        }
+        runs
+    }
+}
+
+/// What memory of 32-bit pixels holds before anything is stored: never the
+/// same twice in a row of pixels, and in the byte that a mode does not use
+/// neither all zeros nor all ones.
+fn unlikely(at: usize) -> u32 {
+    let mixed = (at as u32 ^ 0x5bd1_e995).wrapping_mul(0x9e37_79b1);
+    let mixed = (mixed ^ mixed >> 15).wrapping_mul(0x85eb_ca77);
+    let byte = |value: u32| 1 + value % 254;
+    byte(mixed >> 24) << 24 | mixed & 0x00ff_ff00 | byte(mixed & 0xff)
 }
 
 impl Board {
@@ -164,6 +254,9 @@ impl Board {
         if !writes && self.card.interleaved {
             return None;
         }
+        if !writes {
+            self.commit_stores();
+        }
         let taken = if writes { &self.lfb.write } else { &self.lfb.read };
         let surface = self.surface_of(buffer)?;
         if taken.is_some() {
@@ -176,7 +269,9 @@ impl Board {
         if (mode == LFBWRITEMODE_ZA16) != aux {
             return None;
         }
-        let memory = self.lock_memory(surface, origin, bytes, mode == native)?;
+        let rows = self.buffers.as_ref()?.height as usize;
+        let mut memory = vec![0; ROW_PIXELS * rows * bytes / 4];
+        self.fill_memory(&mut memory, surface, origin, mode);
         let shadow = if writes { memory.clone() } else { Vec::new() };
         let saved = (self.fbi.za_color, self.fbi.fbz_mode);
         let lock = Lock { buffer, mode, origin, pipeline, memory, shadow, saved };
@@ -192,31 +287,83 @@ impl Board {
         Some(LfbInfo { stride: (ROW_PIXELS * bytes) as u32, write_mode: mode, origin })
     }
 
-    /// Memory of a lock: the buffer where its elements are the mode's pixels,
-    /// else zeros.
-    fn lock_memory(
-        &mut self,
-        surface: SurfaceId,
-        origin: i32,
-        bytes: usize,
-        native: bool,
-    ) -> Option<Vec<u32>> {
-        let buffers = self.buffers.as_ref()?;
+    /// Fills the memory of a lock: with the buffer, in the lock's format, or
+    /// with unlikely values where pixels have 32 bits.
+    fn fill_memory(&mut self, memory: &mut [u32], surface: SurfaceId, origin: i32, mode: i32) {
+        let Some(buffers) = &self.buffers else { return };
         let (width, height) = (buffers.width as usize, buffers.height as usize);
-        let mut memory = vec![0; ROW_PIXELS * height * bytes / 4];
-        if native {
-            let mut row = vec![0u16; width];
-            for y in 0..height {
-                let screen = screen_row(origin, y, height) as u32;
-                let rect = Rect::new(0, screen, width as u32, screen + 1);
-                self.read_pixels(surface, rect, &mut row, width).ok()?;
-                for (x, &pixel) in row.iter().enumerate() {
-                    let at = y * ROW_PIXELS + x;
-                    memory[at / 2] |= u32::from(pixel) << (16 * (at & 1));
-                }
+        if pixel_bytes(mode) == Some(4) {
+            memory.iter_mut().enumerate().for_each(|(at, word)| *word = unlikely(at));
+            return;
+        }
+        memory.fill(0);
+        let format = self.settings.color_format;
+        let mut row = vec![0u16; width];
+        for y in 0..height {
+            let screen = screen_row(origin, y, height) as u32;
+            let rect = Rect::new(0, screen, width as u32, screen + 1);
+            // The surface is one of ours, of 16 bits.
+            let _ = self.read_pixels(surface, rect, &mut row, width);
+            for (x, &pixel) in row.iter().enumerate() {
+                let at = y * ROW_PIXELS + x;
+                memory[at / 2] |= in_mode(mode, format, pixel) << (16 * (at & 1));
             }
         }
-        Some(memory)
+    }
+
+    /// Carries out what was stored through the write lock so far, and shows the
+    /// program the buffer as it is then.
+    pub(crate) fn commit_stores(&mut self) {
+        if self.lfb.write.as_ref().is_some_and(Lock::is_changed) {
+            self.commit_lock();
+            self.refill();
+        }
+    }
+
+    /// As [`Board::commit_stores`] for stores that a recording holds.
+    pub(crate) fn apply_stores(&mut self, changes: &[u8]) {
+        if let Some(lock) = &mut self.lfb.write {
+            lock.apply(changes);
+        }
+        self.commit_stores();
+    }
+
+    /// What was stored through the write lock, where anything was.
+    pub(crate) fn stores(&self) -> Option<Vec<u8>> {
+        let width = self.buffers.as_ref()?.width as usize;
+        let lock = self.lfb.write.as_ref().filter(|lock| lock.is_changed())?;
+        Some(lock.changes(width)).filter(|changes| !changes.is_empty())
+    }
+
+    /// Takes whole memory, as recordings of earlier versions hold it. They
+    /// compared with the buffer, or with zeros in formats that are not its own.
+    pub(crate) fn take_whole_memory(&mut self, data: &[u8]) {
+        let Some(lock) = &mut self.lfb.write else { return };
+        let native = matches!(lock.mode, LFBWRITEMODE_565 | LFBWRITEMODE_ZA16);
+        if !native {
+            lock.shadow.fill(0);
+        }
+        for (word, bytes) in lock.memory.iter_mut().zip(data.as_chunks().0) {
+            *word = u32::from_le_bytes(*bytes);
+        }
+    }
+
+    fn commit_lock(&mut self) {
+        let Some(mut lock) = self.lfb.write.take() else { return };
+        self.swizzle(&mut lock);
+        self.commit(&lock);
+        self.lfb.write = Some(lock);
+    }
+
+    /// Shows the program of a write lock what the buffer holds now. Its memory
+    /// stays where it is.
+    pub(crate) fn refill(&mut self) {
+        let Some(mut lock) = self.lfb.write.take() else { return };
+        if let Some(surface) = self.surface_of(lock.buffer) {
+            self.fill_memory(&mut lock.memory, surface, lock.origin, lock.mode);
+            lock.shadow.copy_from_slice(&lock.memory);
+        }
+        self.lfb.write = Some(lock);
     }
 
     /// The memory of a lock.
@@ -232,13 +379,13 @@ impl Board {
         match kind & 0xf {
             LFB_READ_ONLY => self.lfb.read.take_if(|lock| lock.buffer == buffer).is_some(),
             LFB_WRITE_ONLY => {
-                let Some(mut lock) = self.lfb.write.take_if(|lock| lock.buffer == buffer) else {
+                if self.lfb.write.as_ref().is_none_or(|lock| lock.buffer != buffer) {
                     return false;
-                };
-                if lock.is_changed() {
-                    self.swizzle(&mut lock);
-                    self.commit(&lock);
                 }
+                if self.lfb.write.as_ref().is_some_and(Lock::is_changed) {
+                    self.commit_lock();
+                }
+                let Some(lock) = self.lfb.write.take() else { return false };
                 let mask = fbz::DEPTH_BIAS;
                 self.fbi.za_color = lock.saved.0;
                 self.fbi.fbz_mode = replace(self.fbi.fbz_mode, mask, lock.saved.1);
@@ -294,19 +441,8 @@ impl Board {
     fn commit(&mut self, lock: &Lock) {
         let Some(buffers) = &self.buffers else { return };
         let (width, height) = (buffers.width as usize, buffers.height as usize);
-        let wide = lock.is_wide();
-        for y in 0..height {
-            let mut x = 0;
-            while x < width {
-                let changed = |x: usize| {
-                    Lock::get(&lock.memory, wide, x, y) != Lock::get(&lock.shadow, wide, x, y)
-                };
-                let end = (x..width).find(|&x| !changed(x)).unwrap_or(width);
-                if end > x {
-                    self.write_run(lock, x..end, y, height);
-                }
-                x = end + 1;
-            }
+        for (y, run) in lock.runs(width) {
+            self.write_run(lock, run, y, height);
         }
     }
 
@@ -530,12 +666,26 @@ impl Board {
         (width, height): (u32, u32),
     ) -> Option<Vec<u16>> {
         let surface = self.surface_of(buffer).filter(|_| !self.card.interleaved)?;
+        self.commit_stores();
         let (width, height) = (width.min(ROW_PIXELS as u32), height.min(ROW_PIXELS as u32));
         let mut pixels = vec![0; (width * height) as usize];
         let rect = Rect::new(x, y, x.saturating_add(width), y.saturating_add(height));
         self.read_pixels(surface, rect, &mut pixels, width as usize).ok()?;
         Some(pixels)
     }
+}
+
+/// An element of a buffer as a pixel of a 16-bit mode, in the program's colour
+/// format: 565 and aux elements as they are.
+fn in_mode(mode: i32, format: i32, element: u16) -> u32 {
+    let element = u32::from(element);
+    if !matches!(mode, 1 | 2) {
+        return element;
+    }
+    let (r, g, b) = (element >> 11, element >> 6 & 31, element & 31);
+    let (first, last) = if matches!(format, 1 | 3) { (b, r) } else { (r, b) };
+    let color = first << 10 | g << 5 | last;
+    if format >= 2 { color << 1 } else { color }
 }
 
 /// The screen row of a lock's row. Any origin but the upper left counts as

@@ -140,6 +140,10 @@ fn store(context: &mut Context, from: &mut Bytes<'_>) {
             }
         }
     }
-    let written = context.lfb_written(kind).map(Into::into);
-    context.execute(&Call::GrLfbUnlock { kind, buffer, written });
+    if from.byte() & 1 == 1
+        && let Some(changes) = context.lfb_stores()
+    {
+        context.execute(&Call::GrLfbStored { changes: changes.into() });
+    }
+    context.execute(&Call::GrLfbUnlock { kind, buffer, written: None });
 }
