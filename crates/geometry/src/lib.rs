@@ -14,6 +14,31 @@
 //! Bad input (not-a-number, values beyond [`MAX_MAGNITUDE`], planes without a
 //! normal, empty lists) gives an empty result or an [`Error`]; nothing panics.
 //!
+//! ```
+//! use fillrate_geometry::*;
+//!
+//! let view = View::with_field_of_view(640.0, 480.0, TECHNOTE_FIELD_OF_VIEW, 1.0, 500.0)?;
+//! let frustum = Frustum::new(&view);
+//! let projection =
+//!     Projection { view, map: DepthMap::Projective, scale: DepthScale::BITS_16 };
+//! let mut clipper = Clipper::new();
+//!
+//! // A triangle in view space with u and v, which reaches past the right side.
+//! let triangle = [(0.0, 0.0), (0.0, 10.0), (90.0, 0.0)]
+//!     .map(|(x, y)| Vertex::new(Vec3::new(x, y, 40.0), [x / 90.0, y / 10.0]));
+//! let around = Sphere { centre: Vec3::new(30.0, 3.0, 40.0), radius: 65.0 };
+//! let Containment::Within(crossed) = frustum.test_sphere(&around, PlaneMask::ALL) else {
+//!     return Ok(());
+//! };
+//! let clipped = frustum.clip(&mut clipper, &triangle, crossed);
+//! assert_eq!(clipped.len(), 4);
+//! for vertex in clipped.iter().filter_map(|vertex| projection.project(vertex)) {
+//!     assert!(vertex.x < 640.0 && vertex.z < 1.0);
+//!     let (_u_over_w, _v_over_w) = (vertex.over_w(0), vertex.over_w(1));
+//! }
+//! # Ok::<(), Error>(())
+//! ```
+//!
 //! TN in these documents is the technote on building a 3D application with
 //! RAVE; see `docs/sources.md`.
 

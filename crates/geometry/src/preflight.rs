@@ -58,7 +58,7 @@ struct Run {
 /// least recently used first. Each texture that the opaque draws need is loaded
 /// at most once, and not at all if it is resident and stays; so are those of
 /// blended draws if they all fit together. Otherwise the one needed last makes
-/// room. What the frame does not need stays as long as there is room.
+/// room: with equal sizes there are never more loads than in the order given. What the frame does not need stays as long as there is room.
 ///
 /// Source: TN, preflighting texture allocation.
 pub fn plan_frame(
@@ -88,8 +88,8 @@ pub fn plan_frame(
 }
 
 /// Opaque draws by texture: those without, those resident, the others; of each,
-/// textures that blended draws need again come last, to stay in memory for them.
-/// Then the blended draws in order.
+/// textures that blended draws need again come last, the first needed at the very
+/// end, to stay in memory for them. Then the blended draws in order.
 fn sort_runs(
     draws: &[Draw],
     resident: &[TextureId],
@@ -97,14 +97,20 @@ fn sort_runs(
 ) -> Vec<Run> {
     let resident: BTreeSet<TextureId> = resident.iter().copied().collect();
     let texture_of = |draw: &Draw| draw.texture.filter(&fits);
-    let blended: BTreeSet<TextureId> =
-        draws.iter().filter(|draw| draw.blended).filter_map(texture_of).collect();
+    let mut first_blended: BTreeMap<TextureId, usize> = BTreeMap::new();
+    for (index, draw) in draws.iter().enumerate().filter(|(_, draw)| draw.blended) {
+        if let Some(texture) = texture_of(draw) {
+            first_blended.entry(texture).or_insert(index);
+        }
+    }
+    let needed_again =
+        |texture: &TextureId| Reverse(first_blended.get(texture).copied().unwrap_or(NEVER));
     let mut opaque: BTreeMap<_, Vec<usize>> = BTreeMap::new();
     let mut ordered: Vec<Run> = Vec::new();
     for (index, draw) in draws.iter().enumerate() {
         let texture = texture_of(draw);
         if !draw.blended {
-            let rank = texture.map(|id| (!resident.contains(&id), blended.contains(&id), id));
+            let rank = texture.map(|id| (!resident.contains(&id), needed_again(&id), id));
             opaque.entry(rank).or_default().push(index);
         } else if let Some(run) = ordered.last_mut().filter(|run| run.texture == texture) {
             run.draws.push(index);

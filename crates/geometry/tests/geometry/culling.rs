@@ -323,3 +323,43 @@ fn visible_sets_of_runs() {
     let many = VisibleSets::new(VisibleSets::MAX_LEAVES + 1);
     assert_eq!(many.err(), Some(Error::Limit { what: "leaves" }));
 }
+
+/// Eyes, planes and spheres of any bits: walks end, and visit only what exists.
+#[test]
+fn nonsense_ends() {
+    let mut random = Random::new(32);
+    let grid = Grid::new(6, &mut random);
+    let (tree, _) = tree(2);
+    let view = View::new(640.0, 480.0, 320.0, 0.1, 150.0).expect("a view");
+    for _ in 0..cases(2_000) {
+        let planes: Vec<Plane> = (0..random.below(6))
+            .map(|_| Plane { normal: random.nasty_vector(), distance: random.nasty() })
+            .collect();
+        let eye = if random.below(2) == 0 { random.nasty_vector() } else { random.vector(60.0) };
+        let room = random.below(40) as u32;
+        let slack = random.nasty();
+        grid.rooms.visit_visible(
+            room,
+            eye,
+            slack,
+            &planes[..planes.len().min(1)],
+            |room, planes| {
+                assert!(room < 36 && planes.len() < 64);
+            },
+        );
+        let rows = [random.nasty_vector(), random.nasty_vector(), random.nasty_vector()];
+        let frustum =
+            Frustum::new(&view).in_world(&Transform { rows, shift: random.nasty_vector() });
+        let mut visits = 0;
+        tree.visit(Order::FrontToBack, eye, &frustum, None, |leaf, _| {
+            assert!(leaf < 16);
+            visits += 1;
+        });
+        assert!(visits <= 16);
+        let corners = (0..random.below(6)).map(|_| random.nasty_vector()).collect();
+        if let Ok(rooms) = Rooms::new(2, &[Portal { from: 0, to: 1, corners }]) {
+            rooms.visit_visible(0, random.vector(9.0), 0.1, &[], |room, _| assert!(room < 2));
+        }
+        let _ = (Sphere::of_points([eye]), Transform::camera(eye, random.nasty_vector(), eye));
+    }
+}

@@ -18,11 +18,12 @@ fn sizes(count: u32, bytes: u64) -> BTreeMap<TextureId, u64> {
     (0..count).map(|texture| (texture, bytes)).collect()
 }
 
-/// What a frame does that draws in the order given and sends the least recently
-/// used texture away.
+/// What a frame does that draws in the order given, blended draws last, and sends
+/// the least recently used texture away.
 fn loads_in_order(draws: &[Draw], sizes: &BTreeMap<TextureId, u64>, budget: u64) -> usize {
     let (mut memory, mut loads) = (Vec::new(), 0);
-    for texture in draws.iter().filter_map(|draw| draw.texture) {
+    let (last, first): (Vec<Draw>, Vec<Draw>) = draws.iter().partition(|draw| draw.blended);
+    for texture in first.iter().chain(&last).filter_map(|draw| draw.texture) {
         if memory.contains(&texture) {
             memory.retain(|&other| other != texture);
         } else {
@@ -120,11 +121,12 @@ fn frames_without_answers() {
 #[test]
 fn random_frames() {
     let mut random = Random::new(50);
-    let (mut tight, mut saved) = (0, 0);
+    let (mut tight, mut planned, mut in_order) = (0, 0, 0);
     for case in 0..cases(3_000) {
         let count = 1 + random.below(16) as u32;
-        let sizes: BTreeMap<TextureId, u64> =
-            (0..count).map(|texture| (texture, 1 + random.below(50) as u64)).collect();
+        let is_even = random.below(2) == 0;
+        let mut size = || if is_even { 25 } else { 1 + random.below(50) as u64 };
+        let sizes: BTreeMap<TextureId, u64> = (0..count).map(|texture| (texture, size())).collect();
         let budget = 50 + random.below(200) as u64;
         let share = [0, 1, 5][random.below(3)];
         let draws: Vec<Draw> = (0..random.below(120))
@@ -137,7 +139,7 @@ fn random_frames() {
             (0..count).filter(|_| random.below(4) == 0).take(1).collect();
         let plan = plan_frame(&draws, &sizes, &resident, budget);
         let loads = replay(&plan, &draws, &sizes, &resident, budget);
-        assert!(plan.unloadable.is_empty());
+        assert!(plan.unloadable.is_empty(), "{case}");
         let blended: BTreeSet<TextureId> =
             draws.iter().filter(|draw| draw.blended).filter_map(|draw| draw.texture).collect();
         let together: u64 = blended.iter().map(|texture| sizes[texture]).sum();
@@ -149,10 +151,10 @@ fn random_frames() {
             assert!(resident.iter().all(|texture| !loads.contains_key(texture)), "{case}");
         }
         let naive = loads_in_order(&draws, &sizes, budget);
-        assert!(plan.loads() <= naive + resident.len(), "{case}: {} {naive}", plan.loads());
-        saved += naive.saturating_sub(plan.loads());
+        assert!(!is_even || plan.loads() <= naive, "{case}: {} {naive}", plan.loads());
+        (planned, in_order) = (planned + plan.loads(), in_order + naive);
     }
-    assert!(tight > cases(3_000) / 10 && saved > cases(3_000), "{tight} {saved}");
+    assert!(tight > cases(3_000) / 10 && planned * 2 < in_order, "{tight} {planned} {in_order}");
 }
 
 /// An engine with room for so many textures, that may refuse to delete.
