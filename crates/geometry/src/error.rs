@@ -11,4 +11,22 @@ pub enum Error {
     /// A scale and offset for depths that move the yon plane out of 0 to 1.
     #[error("depth scale and offset move the yon plane out of 0 to 1")]
     DepthScale,
+    /// More of something than a list may hold.
+    #[error("too many {what}")]
+    Limit {
+        /// What there is too much of.
+        what: &'static str,
+    },
+    /// A portal of a room that does not exist, or that is no polygon.
+    #[error("portal {portal}: no polygon, or a room that does not exist")]
+    Portal {
+        /// Its place in the list.
+        portal: usize,
+    },
+    /// A node with no plane, or with children that make no tree.
+    #[error("node {node}: no plane, or children that make no tree")]
+    Node {
+        /// Its place in the list.
+        node: usize,
+    },
 }
