@@ -18,6 +18,13 @@ const ALLOWED: f64 = 1.02;
 /// How much less is worth a line.
 const BETTER: f64 = 0.98;
 
+/// Workers among which the same work must stay the same.
+const WORKERS: u32 = 16;
+/// The level at which that is counted.
+const WORKERS_LEVEL: &str = "avx2";
+/// How much more all of them together may do than one.
+const SHARED: f64 = 1.03;
+
 /// A line of `fillrate-budget`.
 #[derive(Debug, Deserialize)]
 struct Drawn {
@@ -58,8 +65,10 @@ pub fn budget(root: &Path, reason: Option<&str>) -> Result<()> {
     let plain = drawn(&run(Command::new(&program).arg("scalar"))?)?;
     let mut levels = BTreeMap::new();
     for level in LEVELS {
-        levels.insert(level.to_string(), count(root, &program, level, &plain)?);
+        levels.insert(level.to_string(), count(root, &program, level, 1, &plain)?);
     }
+    let shared = count(root, &program, WORKERS_LEVEL, WORKERS, &plain)?;
+    check_shared(&levels[WORKERS_LEVEL], &shared)?;
     let file = root.join("benches/records/budget.json");
     let mut record = match std::fs::read_to_string(&file) {
         Ok(text) => serde_json::from_str(&text).context("benches/records/budget.json")?,
@@ -114,9 +123,21 @@ fn drawn(text: &str) -> Result<Vec<Drawn>> {
         .collect()
 }
 
+/// Compares what one worker does with what several do together, over all
+/// scenes alike.
+fn check_shared(one: &Costs, several: &Costs) -> Result<()> {
+    let ratios = one.iter().filter_map(|(name, cost)| {
+        several.get(name).map(|several| several.instructions / cost.instructions)
+    });
+    let ratio = ratios.sum::<f64>() / one.len() as f64;
+    println!("{WORKERS} workers do {ratio:.4} times the work of one");
+    ensure!(ratio <= SHARED, "work grows with the number of workers");
+    Ok(())
+}
+
 /// Draws all scenes at a level under callgrind.
-fn count(root: &Path, program: &Path, level: &str, plain: &[Drawn]) -> Result<Costs> {
-    let folder = root.join("target/budget").join(level);
+fn count(root: &Path, program: &Path, level: &str, workers: u32, plain: &[Drawn]) -> Result<Costs> {
+    let folder = root.join("target/budget").join(format!("{level}-{workers}"));
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder)?;
     let mut command = Command::new("valgrind");
@@ -124,7 +145,7 @@ fn count(root: &Path, program: &Path, level: &str, plain: &[Drawn]) -> Result<Co
         .args(["--tool=callgrind", "--dump-before=*budget_mark*"])
         .arg(format!("--callgrind-out-file={}/part", folder.display()))
         .arg(program)
-        .arg(level);
+        .args([level, &workers.to_string()]);
     let drawn = drawn(&run(&mut command)?)?;
     ensure!(drawn.len() == plain.len(), "{level}: {} kernels of {}", drawn.len(), plain.len());
     let mut costs = Costs::new();
@@ -183,6 +204,13 @@ mod tests {
     fn levels(instructions: f64) -> BTreeMap<String, Costs> {
         let cost = Cost { unit: "pixel".into(), instructions };
         BTreeMap::from([("avx2".into(), BTreeMap::from([("flat".into(), cost)]))])
+    }
+
+    #[test]
+    fn work_must_not_grow_with_workers() {
+        let costs = |instructions| levels(instructions)["avx2"].clone();
+        assert!(check_shared(&costs(100.0), &costs(101.0)).is_ok());
+        assert!(check_shared(&costs(100.0), &costs(110.0)).is_err());
     }
 
     #[test]

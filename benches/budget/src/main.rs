@@ -1,5 +1,6 @@
 //! Draws small fixed scenes, one for each draw state that has a budget of
-//! instructions: `fillrate-budget LEVEL` prints a JSON object for each.
+//! instructions: `fillrate-budget LEVEL [THREADS]` prints a JSON object for
+//! each. Budgets are those of one thread.
 //!
 //! Run under callgrind with `--dump-before=*budget_mark*`, every second part
 //! holds the instructions of one scene's [`FRAMES`] frames and nothing else:
@@ -29,11 +30,12 @@ fn budget_mark(number: u32) {
 }
 
 fn main() -> Result<()> {
-    let name = std::env::args().nth(1).context("usage: fillrate-budget LEVEL")?;
+    let name = std::env::args().nth(1).context("usage: fillrate-budget LEVEL [THREADS]")?;
     let level: Level = name.parse()?;
+    let threads = std::env::args().nth(2).map_or(Ok(1), |threads| threads.parse())?;
     anyhow::ensure!(level.is_available(), "this machine has no {level}");
     for kernel in &KERNELS {
-        let device = DeviceConfig { threads: 1, level, ..DeviceConfig::default() };
+        let device = DeviceConfig { threads, level, ..DeviceConfig::default() };
         let mut scene = Scene::new(kernel, device)?;
         (0..WARM_UP).for_each(|_| scene.frame());
         budget_mark(0);

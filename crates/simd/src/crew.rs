@@ -65,8 +65,8 @@ impl core::fmt::Debug for Shared {
     }
 }
 
-/// How often a helper looks for the next round, giving way each time, before it
-/// sleeps: batches of one frame follow each other closely.
+/// How often a helper with a core of its own looks for the next round, giving
+/// way each time, before it sleeps: batches of a frame follow each other closely.
 const PATIENCE: u32 = 64;
 
 impl Crew {
@@ -76,13 +76,16 @@ impl Crew {
     /// Where the system starts no thread.
     pub fn new(helpers: usize) -> std::io::Result<Crew> {
         let shared = Arc::new(Shared::default());
+        // Where threads share cores, looking out would take time from those that work.
+        let cores = thread::available_parallelism().map_or(1, usize::from);
+        let patience = if helpers < cores { PATIENCE } else { 0 };
         // Dropping the crew sends home those that were started.
         let turn = Mutex::new(());
         let mut crew = Crew { shared, turn, helpers: Vec::with_capacity(helpers) };
         for i in 0..helpers {
             let shared = crew.shared.clone();
             let thread = thread::Builder::new().name(format!("fillrate-{i}"));
-            crew.helpers.push(thread.spawn(move || help(&shared))?);
+            crew.helpers.push(thread.spawn(move || help(&shared, patience))?);
         }
         Ok(crew)
     }
@@ -135,10 +138,10 @@ impl Drop for Crew {
 }
 
 /// A helper's life.
-fn help(shared: &Shared) {
+fn help(shared: &Shared, patience: u32) {
     let mut seen = 0;
     loop {
-        for _ in 0..PATIENCE {
+        for _ in 0..patience {
             if shared.round.load(Ordering::Relaxed) != seen {
                 break;
             }

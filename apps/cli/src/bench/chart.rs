@@ -51,11 +51,20 @@ impl Axis {
         self.from + part * (self.to - self.from)
     }
 
-    /// 1, 2 and 5 times powers of ten inside.
+    /// 1, 2 and 5 times powers of ten inside, and more where those are few.
     fn ticks(&self) -> Vec<f64> {
-        let decades = self.low.log10().floor() as i32..=self.high.log10().ceil() as i32;
-        let all = decades.flat_map(|n| [1.0, 2.0, 5.0].map(|m| m * 10f64.powi(n)));
-        all.filter(|tick| (self.low..=self.high).contains(tick)).collect()
+        let of = |steps: &[f64]| -> Vec<f64> {
+            let decades = self.low.log10().floor() as i32..=self.high.log10().ceil() as i32;
+            // Tenths are divided, so that they print short.
+            let ten = |step: f64, n: i32| match n {
+                0.. => step * 10f64.powi(n),
+                _ => step / 10f64.powi(-n),
+            };
+            let all = decades.flat_map(|n| steps.iter().map(move |&step| ten(step, n)));
+            all.filter(|tick| (self.low..=self.high).contains(tick)).collect()
+        };
+        let few = of(&[1.0, 2.0, 5.0]);
+        if few.len() >= 4 { few } else { of(&[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0]) }
     }
 }
 

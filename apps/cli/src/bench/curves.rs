@@ -145,7 +145,7 @@ impl Curves<'_> {
     }
 
     fn triangles(&self) -> Result<Vec<Point>> {
-        let line = "gouraud, textured, depth";
+        let line = "textured gouraud z";
         let mut points = Vec::new();
         for area in AREAS {
             let count = (TRIANGLE_PIXELS / area).clamp(8, MAX_TRIANGLES) as usize;
