@@ -1,12 +1,12 @@
 //! Drawing what was collected: set-up and binning, then the tiles.
 //!
-//! The caller works along with the pool's helpers; with one thread it works
+//! The caller works along with the crew's helpers; with one thread it works
 //! alone, through the same code. Work is handed out as exclusive references
 //! from a shared iterator, so nothing is locked while a tile is drawn.
 
 use std::sync::{Mutex, PoisonError};
 
-use fillrate_simd::{Kernel, Level, Simd};
+use fillrate_simd::{Crew, Kernel, Level, Simd};
 
 use super::arena::Arena;
 use super::{Device, FlushReason};
@@ -65,7 +65,7 @@ impl Device {
         self.chunks.resize_with(count.max(self.chunks.len()), Chunk::default);
         let queue = Mutex::new(self.chunks[..count].iter_mut().enumerate());
         let arena = &self.arena;
-        let helpers = self.pool.as_ref().filter(|_| count > 1);
+        let helpers = self.crew.as_ref().filter(|_| count > 1);
         let level = self.config.level;
         together(helpers, &|| level.dispatch(BinWork { arena, grid, next: &|| next(&queue) }));
     }
@@ -87,7 +87,7 @@ impl Device {
         let tiles = tiles.filter(|(i, _)| chunks.iter().any(|chunk| !chunk.tile(*i).is_empty()));
         let queue = Mutex::new(tiles);
         let (arena, level) = (&self.arena, self.config.level);
-        together(self.pool.as_ref(), &|| {
+        together(self.crew.as_ref(), &|| {
             let work = TileWork { level, arena, grid, format, chunks, next: &|| next(&queue) };
             let counters = work.run();
             *total.lock().unwrap_or_else(PoisonError::into_inner) += counters;
@@ -115,15 +115,12 @@ fn next<I: Iterator>(queue: &Mutex<I>) -> Option<I::Item> {
     queue.lock().unwrap_or_else(PoisonError::into_inner).next()
 }
 
-/// Runs `work` on the caller and on every helper, and waits for all.
-fn together(pool: Option<&rayon::ThreadPool>, work: &(dyn Fn() + Sync)) {
-    let Some(pool) = pool else { return work() };
-    pool.in_place_scope(|scope| {
-        for _ in 0..pool.current_num_threads() {
-            scope.spawn(|_| work());
-        }
-        work();
-    });
+/// Runs `work` on the caller and on the helpers, and waits for all.
+fn together(crew: Option<&Crew>, work: &(dyn Fn() + Sync)) {
+    match crew {
+        Some(crew) => crew.together(work),
+        None => work(),
+    }
 }
 
 /// One worker's share of the chunks; the level is entered once.

@@ -8,7 +8,7 @@ mod palette;
 
 use std::sync::Arc;
 
-use fillrate_simd::Level;
+use fillrate_simd::{Crew, Level};
 
 use self::arena::{Arena, Clear, Command, Pixel, Run};
 use crate::bins::Chunk;
@@ -91,7 +91,7 @@ type CurrentState = (DrawState, [Option<Arc<Texture>>; MAX_TMUS]);
 pub struct Device {
     config: DeviceConfig,
     /// Helpers besides the caller; none with one thread.
-    pool: Option<rayon::ThreadPool>,
+    crew: Option<Crew>,
     surfaces: Vec<Option<Surface>>,
     color: Option<SurfaceId>,
     aux: Option<SurfaceId>,
@@ -112,13 +112,15 @@ impl Device {
     /// # Errors
     /// [`EngineError::Threads`] where workers cannot be started.
     pub fn new(config: DeviceConfig) -> Result<Device, EngineError> {
-        let pool = match config.threads {
+        let crew = match config.threads {
             0 | 1 => None,
-            threads => Some(start_pool(threads - 1)?),
+            threads => Some(
+                Crew::new(threads - 1).map_err(|error| EngineError::Threads(error.to_string()))?,
+            ),
         };
         Ok(Device {
             config,
-            pool,
+            crew,
             surfaces: Vec::new(),
             color: None,
             aux: None,
@@ -334,12 +336,4 @@ impl Device {
     fn peek(&self, id: SurfaceId) -> Result<&Surface, EngineError> {
         self.surfaces.get(id.0 as usize).and_then(Option::as_ref).ok_or(EngineError::UnknownSurface)
     }
-}
-
-fn start_pool(helpers: usize) -> Result<rayon::ThreadPool, EngineError> {
-    rayon::ThreadPoolBuilder::new()
-        .num_threads(helpers)
-        .thread_name(|i| format!("fillrate-{i}"))
-        .build()
-        .map_err(|error| EngineError::Threads(error.to_string()))
 }

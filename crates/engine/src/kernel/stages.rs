@@ -11,8 +11,20 @@ use super::{Pass, Tile, alpha_test, chroma_key, combine, depth, fog, iterate, ou
 /// A stage at one level.
 type StageFn<S> = fn(S, &mut Block, &Pass<'_>, &mut Tile<'_>);
 
+/// The most stages of a pipeline: every one there is, with three texture units.
+const MAX_STAGES: usize = 24;
+
 /// The stages of a pipeline, at one level.
-pub(crate) type StageList<S> = Vec<StageFn<S>>;
+pub(crate) struct StageList<S: Simd> {
+    stages: [StageFn<S>; MAX_STAGES],
+    count: usize,
+}
+
+impl<S: Simd> StageList<S> {
+    pub fn new() -> StageList<S> {
+        StageList { stages: [stipple_stage; MAX_STAGES], count: 0 }
+    }
+}
 
 /// Defines a stage function: a kernel of its own, so that it is compiled with
 /// the level's instructions and called once for 64 fragments.
@@ -82,9 +94,9 @@ fn stipple_stage<S: Simd>(_: S, block: &mut Block, pass: &Pass<'_>, tile: &mut T
 
 /// The functions of a pipeline's stages at level `S`.
 pub(crate) fn stage_list<S: Simd>(stages: &[Stage], out: &mut StageList<S>) {
-    out.clear();
-    out.extend(stages.iter().map(|stage| -> StageFn<S> {
-        match stage {
+    out.count = stages.len();
+    for (out, stage) in out.stages[..stages.len()].iter_mut().zip(stages) {
+        *out = match stage {
             Stage::Stipple => stipple_stage,
             Stage::Depth => depth_stage,
             Stage::ReadyDepth => ready_depth,
@@ -112,8 +124,8 @@ pub(crate) fn stage_list<S: Simd>(stages: &[Stage], out: &mut StageList<S>) {
                 (false, ColorSource::Texel) => texel_end,
                 (false, ColorSource::Product) => product_end,
             },
-        }
-    }));
+        };
+    }
 }
 
 /// Runs a block through the list, until no fragment is left, and empties it.
@@ -125,7 +137,7 @@ pub(crate) fn run<S: Simd>(
     pass: &Pass<'_>,
     tile: &mut Tile<'_>,
 ) {
-    for stage in list {
+    for stage in &list.stages[..list.count] {
         if block.live == 0 {
             break;
         }

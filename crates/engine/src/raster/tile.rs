@@ -24,7 +24,7 @@ pub(crate) struct TilePainter<'a, S: Simd> {
     grid: Grid,
     format: PixelFormat,
     pub counters: Counters,
-    block: Box<Block>,
+    block: Block,
     coverage: TileCoverage,
     list: StageList<S>,
     /// The state that `list` belongs to.
@@ -81,7 +81,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             grid,
             format,
             counters: Counters::default(),
-            block: Box::new(Block::new()),
+            block: Block::new(),
             coverage: TileCoverage::NONE,
             list: StageList::new(),
             current: None,
@@ -170,7 +170,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
         if held || count == SLOTS {
             self.finish(triangles, target);
         }
-        let block = &mut *self.block;
+        let block = &mut self.block;
         let count = block.count & (SLOTS - 1);
         block.slots[count] = slot;
         block.live |= u64::from(mask) << (count * STAMP);
