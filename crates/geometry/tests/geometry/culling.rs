@@ -147,10 +147,12 @@ fn doorway_shows_the_room_behind_it_only() {
     assert_eq!(seen_to(Vec3::new(1.0, 0.0, 0.0)), BTreeSet::from([0, 1]));
     assert_eq!(seen_to(Vec3::new(0.0, 0.0, 1.0)), BTreeSet::from([0, 2]));
     assert_eq!(seen_to(Vec3::new(-1.0, 0.0, 0.0)), BTreeSet::from([0]));
-    // In the opening itself nothing is narrowed away.
-    let eye = Vec3::new(10.0, 0.0, 5.0);
-    let planes = view_planes(eye, Vec3::new(0.0, 0.0, 1.0)).1;
-    assert!(visible(&rooms, 0, eye, &planes).contains(&1));
+    // An eye in the opening, a little past its plane, looks on through it.
+    for (x, is_seen) in [(9.95, true), (10.0, true), (10.05, true), (10.5, false)] {
+        let eye = Vec3::new(x, 0.0, 5.0);
+        let planes = view_planes(eye, Vec3::new(1.0, 0.0, 0.0)).1;
+        assert_eq!(visible(&rooms, 0, eye, &planes).contains(&1), is_seen, "{x}");
+    }
     // The planes of the room behind are those of the opening.
     let eye = Vec3::new(5.0, 0.0, 5.0);
     let planes = view_planes(eye, Vec3::new(1.0, 0.0, 0.0)).1;
