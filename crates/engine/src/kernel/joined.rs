@@ -4,7 +4,7 @@
 //! Nothing is computed here: the functions are those of the single stages, and
 //! the list without joining draws the same pixels.
 
-use fillrate_simd::{IntLanes, MaskLanes, Simd};
+use fillrate_simd::{MaskLanes, Simd};
 
 use super::block::{Block, STAMP};
 use super::depth::{DepthLanes, DepthTest, IteratedZ};
@@ -243,9 +243,9 @@ fn colors<S: Simd, const TEXEL: bool, const ITERATED: bool>(
     };
     let mut color = texel;
     if ITERATED {
-        let one = s.splat(0x0001_0001);
-        color[0] = texel[0].mul16(iterated[0].add16(one)).shr16(8);
-        color[1] = texel[1].mul16(iterated[1].add16(one)).shr16(8);
+        let switches = &pass.pipeline.combine;
+        color[0] = switches.scaled(s, 0, texel[0], iterated[0]);
+        color[1] = switches.scaled(s, 1, texel[1], iterated[1]);
     }
     let pipeline = pass.pipeline;
     color[1] = match alpha {
