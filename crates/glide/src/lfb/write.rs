@@ -246,8 +246,13 @@ impl Board {
             let buffer = (lock.buffer as u32) << 14;
             self.fbi.fbz_mode = replace(self.fbi.fbz_mode, fbz::DRAW_BUFFER, buffer);
         }
+        // What the engine does not stipple is left out run by run.
+        let mode = self.fbi.fbz_mode;
+        let pieces = self.stipples_in_pieces();
+        self.fbi.fbz_mode = switch(mode, fbz::STIPPLE, mode & fbz::STIPPLE != 0 && !pieces);
         self.dirty = true;
         self.update();
+        self.fbi.fbz_mode = mode;
         kept
     }
 
@@ -263,7 +268,7 @@ impl Board {
             colors.push(u32::from(p.alpha.unwrap_or(alpha)) << 24 | rgb);
             depths.push(p.depth.unwrap_or(depth));
         });
-        if !self.stipple_rotates() {
+        if !self.stipples_in_pieces() {
             return self.draw_run(&PixelRun { x, y, colors: &colors, depths: &depths });
         }
         // Runs that the stipple lets through.
