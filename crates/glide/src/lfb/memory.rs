@@ -22,16 +22,23 @@ pub(crate) struct Memory {
 }
 
 impl Memory {
-    /// Makes the memory, zeros where it is new; with what finds stores for a
-    /// write lock.
-    pub fn prepare(&mut self, finds_stores: bool) {
+    /// Makes the memory, zeros where it is new: for pixels of four bytes, and
+    /// with what finds stores in so many rows, or for two bytes that are only
+    /// read.
+    pub fn prepare(&mut self, wide_and_stored: Option<(bool, usize)>) {
         // Pages that nobody touches are never taken.
         if self.words.is_empty() {
-            self.words = vec![0; ROWS * ROW_PIXELS];
+            self.words = vec![0; ROWS * words_of_row(wide_and_stored.is_some())];
         }
-        if finds_stores && self.shadow.is_empty() {
-            self.shadow = vec![0; ROWS * ROW_PIXELS];
+        if let Some((wide, rows)) = wide_and_stored {
+            let words = rows * words_of_row(wide);
+            self.shadow.resize(words.max(self.shadow.len()), 0);
         }
+    }
+
+    /// Whether pixels of four bytes have room.
+    pub fn holds_wide(&self) -> bool {
+        self.words.len() == ROWS * ROW_PIXELS
     }
 
     /// A pixel.

@@ -218,7 +218,9 @@ impl Board {
         if let Some(other) = other.filter(|other| lock.shows_like(other)) {
             lock.memory = other.memory;
         }
-        self.lfb.memories[lock.memory].prepare(writes);
+        let rows = self.screen().y1 as usize;
+        let stores = writes.then_some((lock.is_wide(), rows));
+        self.lfb.memories[lock.memory].prepare(stores);
         self.show(&lock, self.screen());
         *(if writes { &mut self.lfb.write } else { &mut self.lfb.read }) = Some(lock);
         let stride = (ROW_PIXELS * if lock.is_wide() { 4 } else { 2 }) as u32;
@@ -248,12 +250,17 @@ impl Board {
     /// which set them at any time.
     pub(crate) fn set_up_old_locks(&mut self) {
         let OldState { mode, origin, pipeline } = self.lfb.old;
+        let rows = self.screen().y1 as usize;
         if let Some(lock) = &mut self.lfb.read {
             lock.origin = origin;
         }
         if let Some(lock) = &mut self.lfb.write {
-            lock.mode = resolved_mode(lock.buffer, mode).unwrap_or(lock.mode);
+            let memory = &mut self.lfb.memories[lock.memory];
+            // A memory that a read lock had first has no room for more.
+            let fits = |mode: &i32| pixel_bytes(*mode) != Some(4) || memory.holds_wide();
+            lock.mode = resolved_mode(lock.buffer, mode).filter(fits).unwrap_or(lock.mode);
             (lock.origin, lock.pipeline) = (origin, pipeline);
+            memory.prepare(Some((lock.is_wide(), rows)));
         }
         self.update_showing();
         self.show_all(self.screen());
