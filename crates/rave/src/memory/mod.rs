@@ -283,8 +283,7 @@ impl<T> TextureMemory<T> {
         if !state.resources.get(&id).is_some_and(|resource| resource.is_owned) {
             return Err(MemoryError::Unknown);
         }
-        let is_idle = |state: &State<T>| state.resources[&id].references == 1;
-        let (mut state, _) = self.reserve(state, |state| is_idle(state), |_| false);
+        let (mut state, _) = self.reserve(state, |state| !state.is_in_use(id), |_| false);
         let resource = state.resources.get_mut(&id).ok_or(MemoryError::Unknown)?;
         resource.image = image.clone();
         if let Some(address) = resource.address {

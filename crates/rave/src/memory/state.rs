@@ -83,6 +83,12 @@ impl<T> State<T> {
         !self.queue.is_empty() || self.drawing > 0
     }
 
+    /// Whether polygons with this resource are queued or being drawn.
+    pub(super) fn is_in_use(&self, id: ResourceId) -> bool {
+        let is_drawn = self.resources.get(&id).is_some_and(|resource| resource.drawing > 0);
+        is_drawn || self.queue.iter().any(|run| run.resources.contains(&id))
+    }
+
     /// Whether drawing what is queued frees nothing: no deletion is deferred,
     /// and nothing is kept on the board for the moment only.
     pub(super) fn makes_no_room(&self) -> bool {

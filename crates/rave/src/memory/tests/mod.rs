@@ -13,6 +13,16 @@ fn config(kind: EngineKind, video_bytes: u64) -> MemoryConfig {
     MemoryConfig { kind, video_bytes, ..MemoryConfig::default() }
 }
 
+/// Every kind; the one that evicts twice as often.
+fn any_kind(random: &mut Random) -> EngineKind {
+    [
+        EngineKind::Separate,
+        EngineKind::Separate,
+        EngineKind::VideoOnly,
+        EngineKind::VideoOnlyUntilFrameEnd,
+    ][random.below(4) as usize]
+}
+
 /// How many random sequences to try.
 fn cases(usual: u64) -> u64 {
     let asked = std::env::var("FILLRATE_CASES").ok().and_then(|text| text.parse().ok());

@@ -116,21 +116,21 @@ impl Naive {
         self.cells.iter_mut().filter(|cell| **cell == Some(name)).for_each(|cell| *cell = None);
     }
 
-    /// Draws one polygon; false where there is none.
-    pub fn draw_one(&mut self) -> bool {
-        if self.queue.is_empty() {
-            return false;
-        }
-        let polygon = self.queue[0].clone();
+    /// Draws polygons in a row with the same resources, which are loaded once;
+    /// false where there are none.
+    pub fn draw_run(&mut self) -> bool {
+        let Some(polygon) = self.queue.first().cloned() else { return false };
         for &name in &polygon {
             self.load(name);
             self.touch(name);
             self.busy.push(name);
         }
         self.busy.clear();
-        self.queue.remove(0);
-        if self.in_frame && self.config.kind == EngineKind::VideoOnlyUntilFrameEnd {
-            self.held.push(polygon);
+        while self.queue.first() == Some(&polygon) {
+            self.queue.remove(0);
+            if self.in_frame && self.config.kind == EngineKind::VideoOnlyUntilFrameEnd {
+                self.held.push(polygon.clone());
+            }
         }
         self.free_unneeded();
         true
@@ -156,7 +156,7 @@ impl Naive {
             return Ok(());
         }
         while !self.load(name) {
-            if self.deferred() == 0 || !self.draw_one() {
+            if self.deferred() == 0 || !self.draw_run() {
                 self.items.pop();
                 return Err(MemoryError::OutOfVideoMemory);
             }
@@ -172,7 +172,7 @@ impl Naive {
             return Ok(());
         }
         while self.copies() + bytes > limit {
-            if self.deferred() == 0 || !self.draw_one() {
+            if self.deferred() == 0 || !self.draw_run() {
                 return Err(MemoryError::OutOfMemory);
             }
         }
@@ -182,7 +182,7 @@ impl Naive {
 
     pub fn replace(&mut self, name: u64) {
         while self.queue.iter().flatten().any(|&other| other == name) {
-            self.draw_one();
+            self.draw_run();
         }
         self.loads += u64::from(self.is_on_board(name));
     }
@@ -193,12 +193,12 @@ impl Naive {
         item.locked = true;
         self.free_unneeded();
         while self.items.iter().any(|item| item.name == name) && !self.load(name) {
-            self.draw_one();
+            self.draw_run();
         }
     }
 
     pub fn sync(&mut self) {
-        while self.draw_one() {}
+        while self.draw_run() {}
     }
 
     pub fn start_frame(&mut self) {
@@ -213,7 +213,7 @@ impl Naive {
     }
 
     pub fn free_bytes(&mut self) -> u64 {
-        while self.deferred() > 0 && self.draw_one() {}
+        while self.deferred() > 0 && self.draw_run() {}
         let stays = |name: u64| {
             let item = self.items.iter().find(|item| item.name == name);
             !self.is_separate() || item.is_some_and(|item| item.locked)

@@ -16,10 +16,8 @@ struct Both {
 impl Both {
     fn new(seed: u64) -> Both {
         let mut random = Random::new(seed);
-        let kinds =
-            [EngineKind::Separate, EngineKind::VideoOnly, EngineKind::VideoOnlyUntilFrameEnd];
         let config = MemoryConfig {
-            kind: kinds[random.below(3) as usize],
+            kind: any_kind(&mut random),
             video_bytes: 8 + random.below(56),
             host_bytes: 8 + random.below(100),
             drawing: Drawing::Caller,
