@@ -5,7 +5,7 @@ use std::sync::Arc;
 use fillrate_engine::state::{DrawState, MAX_TMUS, Rect};
 use fillrate_engine::{
     ClearValues, Cull, Device, DeviceConfig, EngineError, PixelFormat, PixelRun, Registers,
-    SurfaceId, Texture, Vertex,
+    SurfaceId, Texture, Vertex, VertexExtra,
 };
 
 use crate::reference::{Reference, Textures};
@@ -16,6 +16,8 @@ pub trait Canvas {
     fn set_state(&mut self, state: &DrawState, textures: &Textures);
     /// Sets a triangle up and draws it.
     fn triangle(&mut self, vertices: &[Vertex; 3], cull: Cull);
+    /// Sets a triangle up with what its vertices have besides, and draws it.
+    fn extended(&mut self, vertices: &[Vertex; 3], extras: &[VertexExtra; 3], cull: Cull);
     /// Draws a triangle that was set up elsewhere.
     fn launch(&mut self, registers: &Registers);
     /// Draws ready-made fragments.
@@ -49,6 +51,10 @@ impl Canvas for ReferenceCanvas {
 
     fn triangle(&mut self, vertices: &[Vertex; 3], cull: Cull) {
         self.reference.triangle(&self.state, &self.textures, vertices, cull);
+    }
+
+    fn extended(&mut self, vertices: &[Vertex; 3], extras: &[VertexExtra; 3], cull: Cull) {
+        self.reference.extended(&self.state, &self.textures, vertices, extras, cull);
     }
 
     fn launch(&mut self, registers: &Registers) {
@@ -170,6 +176,10 @@ impl Canvas for DeviceCanvas {
 
     fn triangle(&mut self, [a, b, c]: &[Vertex; 3], cull: Cull) {
         self.device.draw_triangle([a, b, c], cull);
+    }
+
+    fn extended(&mut self, vertices: &[Vertex; 3], extras: &[VertexExtra; 3], cull: Cull) {
+        self.device.draw_extended(vertices.each_ref(), extras.each_ref(), cull);
     }
 
     fn launch(&mut self, registers: &Registers) {

@@ -90,7 +90,7 @@ fn drop_surroundings(case: &mut Case, fails: &dyn Fn(&Case) -> bool) -> bool {
 /// A change of a state that makes it simpler.
 type Simplification = fn(&mut DrawState, &mut Textures);
 
-const SIMPLIFICATIONS: [Simplification; 20] = [
+const SIMPLIFICATIONS: [Simplification; 26] = [
     |state, _| state.origin = DrawState::default().origin,
     |state, _| state.clip = None,
     |state, _| state.stipple = None,
@@ -111,6 +111,12 @@ const SIMPLIFICATIONS: [Simplification; 20] = [
     |state, _| state.blend = None,
     |state, _| state.dither = DrawState::default().dither,
     |state, _| simplify_texture_output(state),
+    |state, _| state.pattern = None,
+    |state, _| state.shade = DrawState::default().shade,
+    |state, _| state.dither_offset = [0; 2],
+    |state, _| state.logic_op = None,
+    |state, _| state.channels = DrawState::default().channels,
+    |state, _| state.plane_mask = u32::MAX,
 ];
 
 /// Shows the texture chain's output alone, unless something simpler is shown.

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use fillrate_engine::state::{Dither, DrawState, Rect};
-use fillrate_engine::{ClearValues, Cull, PixelFormat, PixelRun, Registers, Vertex};
+use fillrate_engine::{ClearValues, Cull, PixelFormat, PixelRun, Registers, Vertex, VertexExtra};
 
-use super::{Rng, draw_state, registers, textures, vertices};
+use super::{Rng, draw_state, extras, registers, textures, vertices};
 use crate::canvas::Canvas;
 use crate::reference::{Reference, Textures};
 
@@ -17,6 +17,8 @@ pub enum Command {
     State { state: Box<DrawState>, textures: Textures },
     /// [`Canvas::triangle`].
     Triangle { vertices: Box<[Vertex; 3]>, cull: Cull },
+    /// [`Canvas::extended`].
+    Extended { vertices: Box<[Vertex; 3]>, extras: Box<[VertexExtra; 3]>, cull: Cull },
     /// [`Canvas::launch`].
     Launch { registers: Box<Registers> },
     /// [`Canvas::pixels`].
@@ -31,6 +33,9 @@ impl Command {
         match self {
             Command::State { state, textures } => canvas.set_state(state, textures),
             Command::Triangle { vertices, cull } => canvas.triangle(vertices, *cull),
+            Command::Extended { vertices, extras, cull } => {
+                canvas.extended(vertices, extras, *cull);
+            }
             Command::Launch { registers } => canvas.launch(registers),
             Command::Pixels { x, y, colors, depths } => {
                 canvas.pixels(&PixelRun { x: *x, y: *y, colors, depths });
@@ -122,6 +127,11 @@ fn command(rng: &mut Rng, width: u32, height: u32) -> Command {
     match rng.below(12) {
         0 => Command::Clear { rect: rect(rng, width, height), values: clear_values(rng) },
         1 => pixels(rng, width, height),
+        4..=6 => Command::Extended {
+            vertices: Box::new(vertices(rng, width, height)),
+            extras: Box::new(extras(rng)),
+            cull: rng.pick(&[Cull::Disabled, Cull::Disabled, Cull::Negative, Cull::Positive]),
+        },
         2 | 3 => Command::Launch { registers: Box::new(registers(rng, width, height)) },
         _ => Command::Triangle {
             vertices: Box::new(vertices(rng, width, height)),

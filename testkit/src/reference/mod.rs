@@ -18,18 +18,19 @@ mod log2;
 mod output;
 mod pixel;
 mod setup;
+mod shade;
 mod texture;
 
 use std::sync::Arc;
 
 use fillrate_engine::state::{DrawState, MAX_TMUS, Origin, Rect};
 use fillrate_engine::{
-    ClearValues, Counters, Cull, PixelFormat, PixelRun, Registers, Texture, Vertex,
+    ClearValues, Counters, Cull, PixelFormat, PixelRun, Registers, Texture, Vertex, VertexExtra,
 };
 
 pub use dither::{pack, unpack};
 pub use log2::{log2_8_f64, log2_8_u64};
-pub use setup::{SetUp, set_up};
+pub use setup::{SetUp, set_up, set_up_extended};
 
 use pixel::{Iterated, Position, Shaded};
 
@@ -84,6 +85,22 @@ impl Reference {
         }
     }
 
+    /// Sets a triangle up with what its vertices have besides, and draws it.
+    pub fn extended(
+        &mut self,
+        state: &DrawState,
+        textures: &Textures,
+        vertices: &[Vertex; 3],
+        extras: &[VertexExtra; 3],
+        cull: Cull,
+    ) {
+        self.counters.triangles_in += 1;
+        if let SetUp::Drawn(registers) = setup::set_up_extended(vertices, extras, cull) {
+            self.counters.triangles_drawn += 1;
+            self.raster(state, textures, &registers);
+        }
+    }
+
     /// Draws a triangle that was set up elsewhere.
     pub fn launch(&mut self, state: &DrawState, textures: &Textures, registers: &Registers) {
         self.counters.triangles_in += 1;
@@ -102,7 +119,7 @@ impl Reference {
             let at = self.position(state, x as u32, run.y);
             let [r, g, b, alpha] = dither::channels(argb);
             let depth = i32::from(depth);
-            let values = Iterated { z: depth, w: depth, alpha, bias: None };
+            let values = Iterated { z: depth, w: depth, alpha, fog_part: None, bias: None };
             self.fragment(state, at, values, || Shaded { other: [r, g, b], out: [r, g, b, alpha] });
         }
     }
@@ -136,11 +153,22 @@ impl Reference {
                     z: iterate::z(&start, x, y),
                     w: depth::float_w(iterate::w(&start, x, y)),
                     alpha: colors[3],
+                    fog_part: Some(iterate::second(&start, x, y)[3]),
                     bias: state.depth.bias,
                 };
                 self.fragment(state, at, values, || {
                     let texel = texture::chain(state, textures, &start, at);
-                    combine::pixel(state, colors, values.z, texel)
+                    let mut shaded = combine::pixel(state, colors, values.z, texel);
+                    let [r, g, b, _] = iterate::second(&start, x, y);
+                    let inputs = shade::ShadeInputs {
+                        iterated: colors,
+                        over: iterate::whole_colors(&start, x, y),
+                        texel,
+                        specular: [r, g, b],
+                        base: iterate::third(&start, x, y),
+                    };
+                    shaded.out = shade::apply(state, shaded.out, &inputs);
+                    shaded
                 });
             }
         }

@@ -5,7 +5,7 @@
 
 use fillrate_engine::state::{AuxWrite, DrawState};
 
-use super::{Reference, depth, dither, fog, output};
+use super::{Reference, depth, dither, fog, output, shade};
 
 /// Where a fragment is. It lies on the surface.
 #[derive(Clone, Copy, Debug)]
@@ -27,6 +27,9 @@ pub struct Iterated {
     pub w: i32,
     /// 8 bits.
     pub alpha: i32,
+    /// The part of the colour that iterated fog leaves; ready-made fragments
+    /// have none and stay as they are.
+    pub fog_part: Option<i32>,
     /// Added to depth and to the fog table's index.
     pub bias: Option<i16>,
 }
@@ -50,7 +53,10 @@ impl Reference {
         shade: impl FnOnce() -> Shaded,
     ) {
         self.counters.pixels_in += 1;
-        if outside_clip(state, at) || stippled_out(state, at) {
+        if outside_clip(state, at)
+            || stippled_out(state, at)
+            || shade::patterned_out(state, at.x, at.row)
+        {
             return;
         }
         let index = (at.row * self.width + at.x) as usize;
@@ -60,10 +66,13 @@ impl Reference {
             self.counters.depth_fail += 1;
             return;
         }
-        let shaded = shade();
+        let mut shaded = shade();
         if state.chroma_key.is_some_and(|key| is_key(shaded.other, key)) {
             self.counters.chroma_fail += 1;
             return;
+        }
+        if let Some(color) = shade::gap_color(state, at.x, at.row) {
+            shaded.out = color;
         }
         let alpha = shaded.out[3];
         if state.alpha_test.is_some_and(|t| !t.compare.holds(alpha, t.reference.into())) {
@@ -81,7 +90,10 @@ impl Reference {
     fn write(&mut self, state: &DrawState, index: usize, at: Position, out: [i32; 4], depth: i32) {
         if state.color_write {
             let argb = dither::join(out);
-            self.color[index] = dither::pack(self.format, argb, state.dither, at.x, at.row);
+            let [right, down] = state.dither_offset.map(u32::from);
+            let (x, row) = (at.x + right, at.row + down);
+            let new = dither::pack(self.format, argb, state.dither, x, row);
+            self.color[index] = output::merge(state, self.format, new, self.color[index]);
         }
         let Some(aux) = &mut self.aux else { return };
         match state.aux_write {

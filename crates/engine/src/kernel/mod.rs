@@ -1,8 +1,9 @@
 //! The fragment pipeline: one file per hardware unit, in the chip's order.
 //!
-//! stipple -> depth -> texture units (level of detail, address, fetch,
-//! combine) -> iterated colours -> chroma key -> combine -> alpha test -> fog
-//! -> blend -> depth write -> dither, write. A [`Pipeline`] is a draw state
+//! stipple, pattern -> depth -> texture units (level of detail, address, fetch,
+//! key, combine) -> iterated colours -> chroma key -> combine -> shade (decal,
+//! overbright, specular) -> alpha test -> fog -> blend -> depth write -> dither,
+//! write. A [`Pipeline`] is a draw state
 //! compiled into the list of stages it needs; each stage is one small
 //! function over a [`block::Block`] of 64 fragments, compiled for every SIMD
 //! level from the same text.
@@ -21,11 +22,14 @@ mod fog;
 mod iterate;
 mod joined;
 mod output;
+mod shade;
 mod stages;
 mod stipple;
 
 pub(crate) use pipeline::Pipeline;
 pub(crate) use stages::{StageList, run, stage_list};
+
+use fillrate_simd::Simd;
 
 use crate::setup::{Triangle, Triangles};
 use crate::stats::Counters;
@@ -51,6 +55,17 @@ impl Pass<'_> {
 pub(crate) enum ColorTile<'a> {
     Bits16(&'a mut [u16], PixelFormat),
     Bits32(&'a mut [i32], PixelFormat),
+}
+
+impl ColorTile<'_> {
+    /// The elements from an index on, and their format.
+    #[inline(always)]
+    fn elements<S: Simd>(&self, s: S, at: usize) -> (S::I, PixelFormat) {
+        match self {
+            ColorTile::Bits16(pixels, format) => (s.load16(&pixels[at..]), *format),
+            ColorTile::Bits32(pixels, format) => (s.load(&pixels[at..]), *format),
+        }
+    }
 }
 
 /// A tile while a worker owns it.

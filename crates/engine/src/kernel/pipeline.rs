@@ -6,16 +6,16 @@ use fillrate_simd::Scalar;
 
 use super::block::{Block, Colors, STAMP};
 use super::combine::{Arithmetic, Switches};
-use super::fog::fog_entries;
+use super::fog::{fog_entries, fog_samples};
 use super::joined::{Joined, join_stages};
 use super::lanes::dither_pattern;
 use super::stages::{StageList, run, stage_list};
 use super::texture::UnitPlan;
 use super::{ColorTile, Pass, Tile};
-use crate::setup::Triangles;
+use crate::setup::{ExtraNeeds, Triangles};
 use crate::state::{
-    Addend, AlphaLocal, AuxWrite, ColorLocal, CombineUnit, Compare, Dither, DrawState, Factor,
-    FogAmount, MAX_TMUS, Other,
+    Addend, AlphaEquation, AlphaLocal, AuxWrite, Blend, Channels, ColorLocal, CombineUnit, Compare,
+    DecalBase, Dither, DrawState, Factor, Fog, FogAmount, LogicOp, MAX_TMUS, Other, Shade,
 };
 use crate::stats::Counters;
 use crate::target::PixelFormat;
@@ -25,6 +25,7 @@ use crate::texture::{Texture, TextureDesc};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Stage {
     Stipple,
+    Pattern,
     Depth,
     /// The depth test on depths that are already there.
     ReadyDepth,
@@ -34,11 +35,22 @@ pub(crate) enum Stage {
     IterateColors,
     ChromaKey,
     Combine,
+    Decal,
+    Overbright,
+    Specular,
+    /// The colour of a pattern's gaps.
+    Background,
     AlphaTest,
     Fog,
+    /// Fog by the part of the colour that stays.
+    FogByPart,
     Blend,
+    /// Blending with a constant destination or an equation for alpha.
+    BlendFully,
     DepthWrite,
     Write,
+    /// Writing with a logic operation or masks.
+    WriteBits,
     /// The end of the list in one loop.
     Joined(Joined),
     /// One colour for all fragments; see [`Pipeline::flat`].
@@ -58,6 +70,8 @@ pub(crate) struct Needs {
     pub late_depth_write: bool,
     /// The depth value is compared or written.
     pub depth: bool,
+    /// Parameters besides.
+    pub extra: ExtraNeeds,
 }
 
 /// A compiled draw state.
@@ -79,6 +93,14 @@ pub(crate) struct Pipeline {
     pub color1: Colors,
     pub zero: Colors,
     pub fog_entries: [u64; 64],
+    /// The table by w; empty where there is none.
+    pub fog_samples: Vec<u64>,
+    /// The colour of a pattern's gaps.
+    pub background: Colors,
+    /// The bits of elements that are written.
+    pub write_mask: u32,
+    /// The operation that joins elements with what is there.
+    pub logic_op: Option<LogicOp>,
     pub dither: [i32; STAMP],
     /// The stamp that the pipeline draws, where every fragment gets the same
     /// colour, whatever its place and what was there before.
@@ -106,15 +128,14 @@ impl Pipeline {
         if state.depth.source.is_deep() {
             (state.depth.test, state.aux_write) = (None, AuxWrite::Nothing);
         }
-        state.fog =
-            state.fog.filter(|fog| !matches!(fog.amount, FogAmount::Iterated | FogAmount::ByW));
+        simplify(&mut state, format);
         let reads_alpha = reads_alpha(&state, format);
         let needs = needs(&state, reads_alpha);
         let units = units(&state, textures);
         let passes_iterated = passes_iterated(&state, reads_alpha);
         let (color, alpha) = (&state.color_combine.unit, &state.alpha_combine.unit);
         let mut pipeline = Pipeline {
-            stages: stages(&state, &needs, &units, passes_iterated),
+            stages: stages(&state, &needs, &units, passes_iterated, format),
             passes_iterated,
             arithmetic: Arithmetic::of(color, alpha, reads_alpha),
             reads_alpha,
@@ -126,9 +147,16 @@ impl Pipeline {
             color1: Colors::splat(state.color1),
             zero: Colors::splat(0),
             fog_entries: fog_entries(&state.fog_table),
-            dither: dither_pattern(state.dither),
+            fog_samples: match state.fog {
+                Some(Fog { amount: FogAmount::ByW, .. }) => fog_samples(&state.fog_table),
+                _ => Vec::new(),
+            },
+            background: background(&state),
+            write_mask: write_mask(&state, format),
+            logic_op: logic_op(&state),
+            dither: dither_pattern(state.dither, state.dither_offset),
             flat: None,
-            undither: dither_pattern(Dither::Ordered4x4).map(|d| 0x000f_000f - d),
+            undither: dither_pattern(Dither::Ordered4x4, [0; 2]).map(|d| 0x000f_000f - d),
             state,
         };
         join_stages(&mut pipeline, format);
@@ -149,9 +177,17 @@ impl Pipeline {
         state.depth.bias = None;
         state.units = [None; MAX_TMUS];
         state.color_combine.other = Other::Iterated;
+        // Their colours are ready, and there is no triangle to iterate.
+        state.shade = Shade::default();
+        state.fog = state.fog.filter(|fog| fog.amount != FogAmount::Iterated);
         let mut pipeline = Pipeline::new(&state, &[const { None }; MAX_TMUS], format, has_aux);
-        pipeline.stages =
-            stages(&pipeline.state, &pipeline.needs, &pipeline.units, pipeline.passes_iterated);
+        pipeline.stages = stages(
+            &pipeline.state,
+            &pipeline.needs,
+            &pipeline.units,
+            pipeline.passes_iterated,
+            format,
+        );
         let made = [Stage::IterateColors, Stage::Combine];
         pipeline.stages.retain(|stage| !made.contains(stage));
         for stage in &mut pipeline.stages {
@@ -167,6 +203,11 @@ impl Pipeline {
         if self.unit_count > 0 { chain } else { &self.zero }
     }
 
+    /// Whether fragments are dropped by their place, before any test.
+    pub fn drops_by_place(&self) -> bool {
+        self.state.stipple.is_some() || self.state.pattern.is_some_and(|pattern| pattern.drops())
+    }
+
     /// Whether anything is written to the aux plane.
     pub fn writes_aux(&self) -> bool {
         self.state.aux_write != AuxWrite::Nothing
@@ -176,6 +217,34 @@ impl Pipeline {
     pub fn writes_depth(&self) -> bool {
         self.state.aux_write == AuxWrite::Depth
     }
+}
+
+/// Drops what changes nothing on a target of a format.
+fn simplify(state: &mut DrawState, format: PixelFormat) {
+    if !format.has_alpha() && state.aux_write != AuxWrite::Alpha {
+        if let Some(blend) = &mut state.blend {
+            blend.alpha = AlphaEquation::Switches;
+        }
+    }
+}
+
+/// The colour of a pattern's gaps.
+fn background(state: &DrawState) -> Colors {
+    Colors::splat(state.pattern.and_then(|pattern| pattern.background).unwrap_or(0))
+}
+
+/// The bits of elements that a state writes.
+fn write_mask(state: &DrawState, format: PixelFormat) -> u32 {
+    let channels = match state.channels {
+        Channels::ALL => format.element_mask(),
+        channels => format.channel_bits(channels),
+    };
+    channels & state.plane_mask
+}
+
+/// The logic operation of a state, unless it is none.
+fn logic_op(state: &DrawState) -> Option<LogicOp> {
+    state.logic_op.filter(|op| *op != LogicOp::SOURCE && state.blend.is_none())
 }
 
 /// Draws one stamp now, where combine and write need nothing of the fragments,
@@ -265,12 +334,18 @@ fn needs(state: &DrawState, reads_alpha: bool) -> Needs {
     let depth = compares || state.aux_write == AuxWrite::Depth;
     Needs {
         keeps_z: fog(FogAmount::IteratedZ) || state.alpha_combine.local == AlphaLocal::Depth,
-        keeps_w: fog(FogAmount::Table),
+        keeps_w: fog(FogAmount::Table) || fog(FogAmount::ByW),
         colors: reads_iterated(state, reads_alpha),
         late_depth_write: state.chroma_key.is_some()
             || state.alpha_test.is_some()
             || state.blend.is_some_and(|blend| blend.alpha_plane),
         depth,
+        extra: ExtraNeeds {
+            colors: state.shade.specular
+                || state.shade.decal == Some(DecalBase::Base)
+                || fog(FogAmount::Iterated),
+            deep_z: false,
+        },
     }
 }
 
@@ -278,7 +353,8 @@ fn needs(state: &DrawState, reads_alpha: bool) -> Needs {
 fn reads_texture(state: &DrawState) -> bool {
     let (cc, ac) = (&state.color_combine, &state.alpha_combine);
     let texture_factor = |f: Factor| matches!(f, Factor::TextureAlpha | Factor::TextureColor);
-    cc.other == Other::Texture
+    state.shade.decal.is_some()
+        || cc.other == Other::Texture
         || ac.other == Other::Texture
         || cc.local == ColorLocal::ByTextureAlpha
         || texture_factor(cc.unit.factor)
@@ -315,6 +391,7 @@ fn stages(
     needs: &Needs,
     units: &[Option<Box<UnitPlan>>; MAX_TMUS],
     passes_iterated: bool,
+    format: PixelFormat,
 ) -> Vec<Stage> {
     let mut list = Vec::with_capacity(16);
     let mut add = |wanted: bool, stage: Stage| {
@@ -323,6 +400,7 @@ fn stages(
         }
     };
     add(state.stipple.is_some(), Stage::Stipple);
+    add(state.pattern.is_some_and(|pattern| pattern.drops()), Stage::Pattern);
     add(needs.depth || needs.keeps_z || needs.keeps_w, Stage::Depth);
     if reads_texture(state) {
         for (index, plan) in units.iter().enumerate().rev() {
@@ -335,10 +413,25 @@ fn stages(
     add(needs.colors, Stage::IterateColors);
     add(state.chroma_key.is_some(), Stage::ChromaKey);
     add(!passes_iterated, Stage::Combine);
+    add(state.shade.decal.is_some(), Stage::Decal);
+    add(state.shade.overbright, Stage::Overbright);
+    add(state.shade.specular, Stage::Specular);
+    add(state.pattern.is_some_and(|pattern| !pattern.drops()), Stage::Background);
     add(state.alpha_test.is_some(), Stage::AlphaTest);
-    add(state.fog.is_some(), Stage::Fog);
-    add(state.blend.is_some(), Stage::Blend);
+    let by_part = |fog: Fog| matches!(fog.amount, FogAmount::Iterated | FogAmount::ByW);
+    add(
+        state.fog.is_some(),
+        if state.fog.is_some_and(by_part) { Stage::FogByPart } else { Stage::Fog },
+    );
+    let fully = |blend: Blend| {
+        blend.alpha != AlphaEquation::Switches || blend.constant_destination.is_some()
+    };
+    add(
+        state.blend.is_some(),
+        if state.blend.is_some_and(fully) { Stage::BlendFully } else { Stage::Blend },
+    );
     add(needs.late_depth_write && state.aux_write == AuxWrite::Depth, Stage::DepthWrite);
-    add(true, Stage::Write);
+    let whole = write_mask(state, format) == format.element_mask() && logic_op(state).is_none();
+    add(true, if whole { Stage::Write } else { Stage::WriteBits });
     list
 }

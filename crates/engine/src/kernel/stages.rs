@@ -6,13 +6,15 @@ use super::block::Block;
 use super::joined::{self, ColorSource};
 use super::pipeline::Stage;
 use super::texture::{address, fetch, texture_combine};
-use super::{Pass, Tile, alpha_test, chroma_key, combine, depth, fog, iterate, output, stipple};
+use super::{
+    Pass, Tile, alpha_test, chroma_key, combine, depth, fog, iterate, output, shade, stipple,
+};
 
 /// A stage at one level.
 type StageFn<S> = fn(S, &mut Block, &Pass<'_>, &mut Tile<'_>);
 
 /// The most stages of a pipeline: every one there is, with three texture units.
-const MAX_STAGES: usize = 24;
+const MAX_STAGES: usize = 40;
 
 /// The stages of a pipeline, at one level.
 pub(crate) struct StageList<S: Simd> {
@@ -69,6 +71,13 @@ stage!(ready_depth, |s, block, pass, tile| depth::ready_depth(s, block, pass, ti
 stage!(iterate_colors, |s, block, pass, _tile| iterate::iterate_colors(s, block, pass));
 stage!(chroma_key, |s, block, pass, tile| chroma_key::chroma_key(s, block, pass, tile));
 stage!(combine, |s, block, pass, _tile| combine::combine(s, block, pass));
+stage!(decal, |s, block, pass, _tile| shade::decal(s, block, pass));
+stage!(overbright, |s, block, pass, _tile| shade::overbright(s, block, pass));
+stage!(specular, |s, block, pass, _tile| shade::specular(s, block, pass));
+stage!(background, |s, block, pass, _tile| shade::background(s, block, pass));
+stage!(fog_by_part, |s, block, pass, _tile| fog::fog_by_part(s, block, pass));
+stage!(blend_fully, |s, block, pass, tile| output::blend_fully(s, block, pass, tile));
+stage!(write_bits, |s, block, pass, tile| output::write_bits(s, block, pass, tile));
 stage!(alpha_test, |s, block, pass, tile| alpha_test::alpha_test(s, block, pass, tile));
 stage!(fog, |s, block, pass, _tile| fog::fog(s, block, pass));
 stage!(depth_write, |s, block, _pass, tile| depth::depth_write(s, block, tile));
@@ -92,12 +101,17 @@ fn stipple_stage<S: Simd>(_: S, block: &mut Block, pass: &Pass<'_>, tile: &mut T
     stipple::stipple(block, pass, tile);
 }
 
+fn pattern_stage<S: Simd>(_: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    stipple::pattern(block, pass, tile);
+}
+
 /// The functions of a pipeline's stages at level `S`.
 pub(crate) fn stage_list<S: Simd>(stages: &[Stage], out: &mut StageList<S>) {
     out.count = stages.len();
     for (out, stage) in out.stages[..stages.len()].iter_mut().zip(stages) {
         *out = match stage {
             Stage::Stipple => stipple_stage,
+            Stage::Pattern => pattern_stage,
             Stage::Depth => depth_stage,
             Stage::ReadyDepth => ready_depth,
             Stage::Address(0) => address_0,
@@ -112,11 +126,18 @@ pub(crate) fn stage_list<S: Simd>(stages: &[Stage], out: &mut StageList<S>) {
             Stage::IterateColors => iterate_colors,
             Stage::ChromaKey => chroma_key,
             Stage::Combine => combine,
+            Stage::Decal => decal,
+            Stage::Overbright => overbright,
+            Stage::Specular => specular,
+            Stage::Background => background,
             Stage::AlphaTest => alpha_test,
             Stage::Fog => fog,
+            Stage::FogByPart => fog_by_part,
             Stage::DepthWrite => depth_write,
             Stage::Blend => blend,
+            Stage::BlendFully => blend_fully,
             Stage::Write => write,
+            Stage::WriteBits => write_bits,
             Stage::Flat => write_flat,
             Stage::Joined(end) => match (end.depth, end.color) {
                 (false, ColorSource::Iterated) => iterated_end,

@@ -297,7 +297,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
         }
         let range = depth_range(pipeline, triangles, triangle, area);
         if let Some(range) = range
-            && pipeline.state.stipple.is_none()
+            && !pipeline.drops_by_place()
             && is_hidden(pipeline, range, aux)
         {
             return true;
@@ -306,7 +306,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
         let whole = full
             && area.contains(&visible)
             && clip.contains(&visible)
-            && pipeline.state.stipple.is_none()
+            && !pipeline.drops_by_place()
             && !pipeline.needs.late_depth_write;
         update_bounds(pipeline, range, whole, aux);
         false
