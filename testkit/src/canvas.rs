@@ -89,13 +89,13 @@ impl DeviceCanvas {
         config: DeviceConfig,
         (width, height): (u32, u32),
         format: PixelFormat,
-        aux: bool,
+        aux: Option<PixelFormat>,
     ) -> Result<DeviceCanvas, EngineError> {
         let mut device = Device::new(config)?;
         let color = device.create_surface(width, height, format)?;
         let aux = match aux {
-            true => Some(device.create_surface(width, height, PixelFormat::Aux16)?),
-            false => None,
+            Some(aux) => Some(device.create_surface(width, height, aux)?),
+            None => None,
         };
         device.set_target(color, aux)?;
         Ok(DeviceCanvas { device, size: (width, height), color, aux })
@@ -110,14 +110,14 @@ impl DeviceCanvas {
         &mut self,
         (width, height): (u32, u32),
         format: PixelFormat,
-        aux: bool,
+        aux: Option<PixelFormat>,
     ) -> Result<(), EngineError> {
         let device = &mut self.device;
         let old = [Some(self.color), self.aux];
         self.color = device.create_surface(width, height, format)?;
         self.aux = match aux {
-            true => Some(device.create_surface(width, height, PixelFormat::Aux16)?),
-            false => None,
+            Some(aux) => Some(device.create_surface(width, height, aux)?),
+            None => None,
         };
         self.size = (width, height);
         device.set_target(self.color, self.aux)?;
@@ -132,10 +132,10 @@ impl DeviceCanvas {
     }
 
     /// Puts elements into the surfaces, row by row from the top.
-    pub fn load(&mut self, color: &[u32], aux: Option<&[u16]>) {
+    pub fn load(&mut self, color: &[u32], aux: Option<&[u32]>) {
         store(&mut self.device, self.color, color.iter().copied());
         if let (Some(id), Some(aux)) = (self.aux, aux) {
-            store(&mut self.device, id, aux.iter().map(|&value| u32::from(value)));
+            store(&mut self.device, id, aux.iter().copied());
         }
     }
 
@@ -143,13 +143,14 @@ impl DeviceCanvas {
     pub fn result(&mut self) -> Reference {
         let counters = self.device.counters();
         let (format, color) = elements(&mut self.device, self.color);
-        let aux = self.aux.map(|id| elements(&mut self.device, id).1);
+        let aux = self.aux.map(|id| elements(&mut self.device, id));
         Reference {
             width: self.size.0,
             height: self.size.1,
             format,
             color,
-            aux: aux.map(|aux| aux.into_iter().map(|value| value as u16).collect()),
+            aux_format: aux.as_ref().map(|aux| aux.0),
+            aux: aux.map(|aux| aux.1),
             counters,
         }
     }

@@ -10,7 +10,7 @@ use crate::random::{Case, Command};
 pub fn case(case: &Case) -> String {
     let Case { width, height, format, aux, contents, commands } = case;
     let mut out =
-        format!("{width}x{height} {format:?}, aux {aux}, contents {contents:?}, commands:\n");
+        format!("{width}x{height} {format:?}, aux {aux:?}, contents {contents:?}, commands:\n");
     for command in commands {
         match command {
             Command::State { state, textures } => {

@@ -5,6 +5,7 @@ use fillrate_engine::state::{
     Channels, ColorCombine, ColorLocal, CombineUnit, Compare, DecalBase, DepthSource, DepthState,
     Dither, DrawState, Factor, Filter, Fog, FogAmount, FogTable, LodRange, LogicOp, Origin, Other,
     Pattern, PatternBits, Rect, Shade, Stipple, TextureCombine, TextureFactor, TextureUnit,
+    ZOverflow,
 };
 
 use super::Rng;
@@ -99,14 +100,23 @@ fn compare(rng: &mut Rng) -> Compare {
 
 fn depth(rng: &mut Rng) -> DepthState {
     DepthState {
-        source: rng.pick(&[DepthSource::Z, DepthSource::FloatW]),
+        source: match rng.below(12) {
+            0 => rng.pick(&[DepthSource::DeepZ, DepthSource::DeepW]),
+            1..=6 => DepthSource::Z,
+            _ => DepthSource::FloatW,
+        },
         test: rng.maybe(2, compare),
         bias: rng.maybe(4, |rng| match rng.coin() {
             true => rng.word() as i16,
             false => rng.range(-600, 600) as i16,
         }),
         compare_constant: rng.maybe(8, |rng| rng.word() as u16),
-        ..DepthState::default()
+        z_overflow: rng.pick(&[
+            ZOverflow::Wrap,
+            ZOverflow::Wrap,
+            ZOverflow::Clamp,
+            ZOverflow::Reject,
+        ]),
     }
 }
 
@@ -267,7 +277,8 @@ fn unit(rng: &mut Rng) -> TextureUnit {
         detail_bias: rng.range(-32, 31) as i8,
         detail_scale: rng.below(8) as u8,
         combine,
-        ..TextureUnit::default()
+        mix_levels: rng.one_in(5),
+        drop_keyed: rng.one_in(5),
     }
 }
 

@@ -2,6 +2,7 @@
 //!
 //! Source: SST1, triangle registers and sub-pixel correction.
 
+use fillrate_engine::state::ZOverflow;
 use fillrate_engine::{Param, Registers, WideParam};
 
 /// The registers with all start values moved from the first vertex to the
@@ -77,13 +78,22 @@ fn wrapped(value: i32) -> i32 {
     }
 }
 
-/// z, 16 bits, wrapping like the colours.
-pub fn z(centred: &Registers, x: u32, y: u32) -> i32 {
-    match narrow(centred, &centred.z, x, y) >> 12 & 0xf_ffff {
+/// z, 16 bits, wrapping like the colours or limited.
+pub fn z(centred: &Registers, overflow: ZOverflow, x: u32, y: u32) -> i32 {
+    let whole = narrow(centred, &centred.z, x, y) >> 12;
+    if overflow != ZOverflow::Wrap {
+        return whole.clamp(0, 0xffff);
+    }
+    match whole & 0xf_ffff {
         0xf_ffff => 0,
         0x1_0000 => 0xffff,
         value => value & 0xffff,
     }
+}
+
+/// Whether z is no 16-bit number.
+pub fn is_z_outside(centred: &Registers, x: u32, y: u32) -> bool {
+    !(0..=0xffff).contains(&(narrow(centred, &centred.z, x, y) >> 12))
 }
 
 /// 1/w of the pixel pipeline.

@@ -16,8 +16,8 @@ pub struct Destination {
     pub format: PixelFormat,
     /// Colour element.
     pub color: u32,
-    /// Aux element, where there is an aux plane.
-    pub aux: Option<u16>,
+    /// Aux element, where there is a 16-bit aux plane.
+    pub aux: Option<u32>,
 }
 
 impl Destination {
@@ -25,7 +25,7 @@ impl Destination {
     fn channels(&self, blend: &Blend, at: Position) -> [i32; 4] {
         let [r, g, b, own_alpha] = dither::unpack(self.format, self.color);
         let alpha = match self.aux {
-            Some(aux) if blend.alpha_plane => i32::from(aux & 0xff),
+            Some(aux) if blend.alpha_plane => (aux & 0xff) as i32,
             _ => own_alpha,
         };
         let whole =

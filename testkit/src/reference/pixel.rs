@@ -3,6 +3,7 @@
 //! Source: SST1, pixel pipeline; LFB writes through the pipeline enter here as
 //! well.
 
+use fillrate_engine::PixelFormat;
 use fillrate_engine::state::{AuxWrite, DrawState};
 
 use super::{Reference, depth, dither, fog, output, shade};
@@ -25,6 +26,10 @@ pub struct Iterated {
     pub z: i32,
     /// Pseudo-float w, 16 bits, without bias.
     pub w: i32,
+    /// Depth of a deep source.
+    pub deep: u32,
+    /// Whether z, before its rule, was no 16-bit number.
+    pub is_outside: bool,
     /// 8 bits.
     pub alpha: i32,
     /// The part of the colour that iterated fog leaves; ready-made fragments
@@ -44,13 +49,14 @@ pub struct Shaded {
 }
 
 impl Reference {
-    /// Takes one fragment through all stages; `shade` textures and combines.
+    /// Takes one fragment through all stages; `shade` textures and combines, and
+    /// gives nothing where keyed texels drop the fragment.
     pub(super) fn fragment(
         &mut self,
         state: &DrawState,
         at: Position,
         values: Iterated,
-        shade: impl FnOnce() -> Shaded,
+        shade: impl FnOnce() -> Option<Shaded>,
     ) {
         self.counters.pixels_in += 1;
         if outside_clip(state, at)
@@ -62,11 +68,17 @@ impl Reference {
         let index = (at.row * self.width + at.x) as usize;
         let aux = self.aux.as_ref().map(|aux| aux[index]);
         let depth = depth::of_fragment(&state.depth, values);
-        if aux.is_some_and(|aux| !depth::passes(&state.depth, depth, aux)) {
+        let tested = aux.filter(|_| depth::fits(state.depth.source, self.aux_format));
+        if depth::is_rejected(&state.depth, values)
+            || tested.is_some_and(|aux| !depth::passes(&state.depth, depth, aux))
+        {
             self.counters.depth_fail += 1;
             return;
         }
-        let mut shaded = shade();
+        let Some(mut shaded) = shade() else {
+            self.counters.chroma_fail += 1;
+            return;
+        };
         if state.chroma_key.is_some_and(|key| is_key(shaded.other, key)) {
             self.counters.chroma_fail += 1;
             return;
@@ -81,13 +93,14 @@ impl Reference {
         }
         self.counters.pixels_out += 1;
         let fogged = fog::apply(state, shaded.out, values);
+        let aux = aux.filter(|_| self.aux_format == Some(PixelFormat::Aux16));
         let destination =
             output::Destination { format: self.format, color: self.color[index], aux };
         let blended = output::blend(state, fogged, shaded.out, &destination, at);
         self.write(state, index, at, blended, depth);
     }
 
-    fn write(&mut self, state: &DrawState, index: usize, at: Position, out: [i32; 4], depth: i32) {
+    fn write(&mut self, state: &DrawState, index: usize, at: Position, out: [i32; 4], depth: u32) {
         if state.color_write {
             let argb = dither::join(out);
             let [right, down] = state.dither_offset.map(u32::from);
@@ -98,8 +111,13 @@ impl Reference {
         let Some(aux) = &mut self.aux else { return };
         match state.aux_write {
             AuxWrite::Nothing => {}
-            AuxWrite::Depth => aux[index] = depth as u16,
-            AuxWrite::Alpha => aux[index] = out[3] as u16,
+            AuxWrite::Depth if depth::fits(state.depth.source, self.aux_format) => {
+                aux[index] = depth;
+            }
+            AuxWrite::Alpha if self.aux_format == Some(PixelFormat::Aux16) => {
+                aux[index] = out[3] as u32;
+            }
+            AuxWrite::Depth | AuxWrite::Alpha => {}
         }
     }
 }

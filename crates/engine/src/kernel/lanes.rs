@@ -109,6 +109,13 @@ pub(crate) fn lerp_255<S: Simd>(s: S, a: S::I, b: S::I, part: S::I) -> S::I {
     div_255(s, a.mul16(part).add16(b.mul16(rest)))
 }
 
+/// `(a * (256 - part) + b * part) / 256`, to the nearest, for parts of 0..=255.
+#[inline(always)]
+pub(crate) fn mix_256<S: Simd>(s: S, a: S::I, b: S::I, part: S::I) -> S::I {
+    let rest = s.splat(0x0100_0100).sub16(part);
+    a.mul16(rest).add16(b.mul16(part)).add16(s.splat(0x0080_0080)).shr16(8)
+}
+
 /// The dither value of each fragment of a stamp, in both halves. Stamps start
 /// at multiples of four, so one pattern serves the whole screen.
 pub(crate) fn dither_pattern(dither: Dither, [right, down]: [u8; 2]) -> [i32; STAMP] {

@@ -25,6 +25,7 @@ mod output;
 mod shade;
 mod stages;
 mod stipple;
+mod wide_depth;
 
 pub(crate) use pipeline::Pipeline;
 pub(crate) use stages::{StageList, run, stage_list};
@@ -71,7 +72,29 @@ impl ColorTile<'_> {
 /// A tile while a worker owns it.
 pub(crate) struct Tile<'a> {
     pub color: ColorTile<'a>,
-    /// Empty where there is no aux surface.
+    /// Empty where there is no 16-bit aux surface.
     pub aux: &'a mut [u16],
+    /// Empty where there is no 32-bit one.
+    pub aux32: &'a mut [i32],
     pub counters: &'a mut Counters,
+}
+
+impl Tile<'_> {
+    /// Aux elements from an index on, of either size.
+    #[inline(always)]
+    fn load_aux<S: Simd>(&self, s: S, at: usize) -> S::I {
+        match self.aux32.is_empty() {
+            true => s.load16(&self.aux[at..]),
+            false => s.load(&self.aux32[at..]),
+        }
+    }
+
+    /// Writes the aux elements that are on in `mask`.
+    #[inline(always)]
+    fn store_aux<S: Simd>(&mut self, s: S, value: S::I, at: usize, mask: S::M) {
+        match self.aux32.is_empty() {
+            true => s.store16(value, &mut self.aux[at..], mask),
+            false => s.store_masked(value, &mut self.aux32[at..], mask),
+        }
+    }
 }

@@ -15,7 +15,8 @@ use super::{ColorTile, Pass, Tile};
 use crate::setup::{ExtraNeeds, Triangles};
 use crate::state::{
     Addend, AlphaEquation, AlphaLocal, AuxWrite, Blend, Channels, ColorLocal, CombineUnit, Compare,
-    DecalBase, Dither, DrawState, Factor, Fog, FogAmount, LogicOp, MAX_TMUS, Other, Shade,
+    DecalBase, DepthSource, Dither, DrawState, Factor, Fog, FogAmount, LogicOp, MAX_TMUS, Other,
+    Shade, ZOverflow,
 };
 use crate::stats::Counters;
 use crate::target::PixelFormat;
@@ -29,8 +30,17 @@ pub(crate) enum Stage {
     Depth,
     /// The depth test on depths that are already there.
     ReadyDepth,
+    /// Depth with another rule for z, a deep source or a 32-bit plane.
+    WideDepth,
+    /// The same on depths that are already there.
+    ReadyWideDepth,
     Address(usize),
     Fetch(usize),
+    TexelKey(usize),
+    /// Addresses of the next coarser level.
+    AddressNext(usize),
+    /// Texels of the two levels mixed.
+    MixNext(usize),
     TextureCombine(usize),
     IterateColors,
     ChromaKey,
@@ -110,24 +120,16 @@ pub(crate) struct Pipeline {
 }
 
 impl Pipeline {
-    /// Compiles a state for a target of `format`, with or without an aux plane.
+    /// Compiles a state for a target of `format`, with or without an aux plane
+    /// of a format.
     pub fn new(
         state: &DrawState,
         textures: &[Option<Arc<Texture>>; MAX_TMUS],
         format: PixelFormat,
-        has_aux: bool,
+        aux: Option<PixelFormat>,
     ) -> Pipeline {
         let mut state = *state;
-        if !has_aux {
-            state.depth.test = None;
-            state.aux_write = AuxWrite::Nothing;
-            if let Some(blend) = &mut state.blend {
-                blend.alpha_plane = false;
-            }
-        }
-        if state.depth.source.is_deep() {
-            (state.depth.test, state.aux_write) = (None, AuxWrite::Nothing);
-        }
+        drop_aux(&mut state, aux);
         simplify(&mut state, format);
         let reads_alpha = reads_alpha(&state, format);
         let needs = needs(&state, reads_alpha);
@@ -135,7 +137,7 @@ impl Pipeline {
         let passes_iterated = passes_iterated(&state, reads_alpha);
         let (color, alpha) = (&state.color_combine.unit, &state.alpha_combine.unit);
         let mut pipeline = Pipeline {
-            stages: stages(&state, &needs, &units, passes_iterated, format),
+            stages: stages(&state, &needs, &units, passes_iterated, (format, aux)),
             passes_iterated,
             arithmetic: Arithmetic::of(color, alpha, reads_alpha),
             reads_alpha,
@@ -172,7 +174,11 @@ impl Pipeline {
 
     /// Compiles the stages that ready-made fragments pass: no texturing, no
     /// combining, and a depth without bias.
-    pub fn for_pixels(state: &DrawState, format: PixelFormat, has_aux: bool) -> Pipeline {
+    pub fn for_pixels(
+        state: &DrawState,
+        format: PixelFormat,
+        aux: Option<PixelFormat>,
+    ) -> Pipeline {
         let mut state = *state;
         state.depth.bias = None;
         state.units = [None; MAX_TMUS];
@@ -180,19 +186,21 @@ impl Pipeline {
         // Their colours are ready, and there is no triangle to iterate.
         state.shade = Shade::default();
         state.fog = state.fog.filter(|fog| fog.amount != FogAmount::Iterated);
-        let mut pipeline = Pipeline::new(&state, &[const { None }; MAX_TMUS], format, has_aux);
+        let mut pipeline = Pipeline::new(&state, &[const { None }; MAX_TMUS], format, aux);
         pipeline.stages = stages(
             &pipeline.state,
             &pipeline.needs,
             &pipeline.units,
             pipeline.passes_iterated,
-            format,
+            (format, aux),
         );
         let made = [Stage::IterateColors, Stage::Combine];
         pipeline.stages.retain(|stage| !made.contains(stage));
         for stage in &mut pipeline.stages {
-            if *stage == Stage::Depth {
-                *stage = Stage::ReadyDepth;
+            match stage {
+                Stage::Depth => *stage = Stage::ReadyDepth,
+                Stage::WideDepth => *stage = Stage::ReadyWideDepth,
+                _ => {}
             }
         }
         pipeline
@@ -216,6 +224,25 @@ impl Pipeline {
     /// Whether depth is written, early or late.
     pub fn writes_depth(&self) -> bool {
         self.state.aux_write == AuxWrite::Depth
+    }
+}
+
+/// Drops what an aux plane, or none, does not do.
+fn drop_aux(state: &mut DrawState, aux: Option<PixelFormat>) {
+    let wide = aux == Some(PixelFormat::Aux32);
+    if aux.is_none() || state.depth.source.is_deep() && !wide {
+        state.depth.test = None;
+        if state.aux_write == AuxWrite::Depth {
+            state.aux_write = AuxWrite::Nothing;
+        }
+    }
+    if aux.is_none() || wide {
+        if state.aux_write == AuxWrite::Alpha {
+            state.aux_write = AuxWrite::Nothing;
+        }
+        if let Some(blend) = &mut state.blend {
+            blend.alpha_plane = false;
+        }
     }
 }
 
@@ -280,7 +307,7 @@ fn draw_stamp(pipeline: &Pipeline, first: usize, format: PixelFormat, to: &mut [
     let mut counters = Counters::default();
     let pass = Pass { pipeline, triangles: &triangles };
     let color = ColorTile::Bits16(to, format);
-    let mut tile = Tile { color, aux: &mut [], counters: &mut counters };
+    let mut tile = Tile { color, aux: &mut [], aux32: &mut [], counters: &mut counters };
     run(Scalar, &list, &mut block, &pass, &mut tile);
 }
 
@@ -331,12 +358,15 @@ fn reads_iterated(state: &DrawState, reads_alpha: bool) -> bool {
 fn needs(state: &DrawState, reads_alpha: bool) -> Needs {
     let fog = |amount: FogAmount| state.fog.is_some_and(|fog| fog.amount == amount);
     let compares = state.depth.test.is_some_and(|test| test != Compare::Always);
-    let depth = compares || state.aux_write == AuxWrite::Depth;
+    let z = &state.depth;
+    let rejects = z.z_overflow == ZOverflow::Reject && z.source == DepthSource::Z;
+    let depth = compares || state.aux_write == AuxWrite::Depth || rejects;
     Needs {
         keeps_z: fog(FogAmount::IteratedZ) || state.alpha_combine.local == AlphaLocal::Depth,
         keeps_w: fog(FogAmount::Table) || fog(FogAmount::ByW),
         colors: reads_iterated(state, reads_alpha),
         late_depth_write: state.chroma_key.is_some()
+            || drops_keyed(state)
             || state.alpha_test.is_some()
             || state.blend.is_some_and(|blend| blend.alpha_plane),
         depth,
@@ -344,7 +374,7 @@ fn needs(state: &DrawState, reads_alpha: bool) -> Needs {
             colors: state.shade.specular
                 || state.shade.decal == Some(DecalBase::Base)
                 || fog(FogAmount::Iterated),
-            deep_z: false,
+            deep_z: depth && z.source == DepthSource::DeepZ,
         },
     }
 }
@@ -359,6 +389,11 @@ fn reads_texture(state: &DrawState) -> bool {
         || cc.local == ColorLocal::ByTextureAlpha
         || texture_factor(cc.unit.factor)
         || texture_factor(ac.unit.factor)
+}
+
+/// Whether texels can drop fragments.
+fn drops_keyed(state: &DrawState) -> bool {
+    state.units.iter().flatten().any(|unit| unit.drop_keyed)
 }
 
 /// Whether anything after the combine units reads alpha.
@@ -391,7 +426,7 @@ fn stages(
     needs: &Needs,
     units: &[Option<Box<UnitPlan>>; MAX_TMUS],
     passes_iterated: bool,
-    format: PixelFormat,
+    (format, aux): (PixelFormat, Option<PixelFormat>),
 ) -> Vec<Stage> {
     let mut list = Vec::with_capacity(16);
     let mut add = |wanted: bool, stage: Stage| {
@@ -401,12 +436,19 @@ fn stages(
     };
     add(state.stipple.is_some(), Stage::Stipple);
     add(state.pattern.is_some_and(|pattern| pattern.drops()), Stage::Pattern);
-    add(needs.depth || needs.keeps_z || needs.keeps_w, Stage::Depth);
-    if reads_texture(state) {
+    let wide = state.depth.z_overflow != ZOverflow::Wrap
+        || state.depth.source.is_deep()
+        || aux == Some(PixelFormat::Aux32);
+    let depth = if wide { Stage::WideDepth } else { Stage::Depth };
+    add(needs.depth || needs.keeps_z || needs.keeps_w, depth);
+    if reads_texture(state) || drops_keyed(state) {
         for (index, plan) in units.iter().enumerate().rev() {
             let Some(plan) = plan else { continue };
             add(true, Stage::Address(index));
             add(true, Stage::Fetch(index));
+            add(plan.unit.drop_keyed, Stage::TexelKey(index));
+            add(plan.next.is_some(), Stage::AddressNext(index));
+            add(plan.next.is_some(), Stage::MixNext(index));
             add(!plan.texel_only, Stage::TextureCombine(index));
         }
     }

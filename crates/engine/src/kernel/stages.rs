@@ -5,9 +5,10 @@ use fillrate_simd::{Kernel, Simd};
 use super::block::Block;
 use super::joined::{self, ColorSource};
 use super::pipeline::Stage;
-use super::texture::{address, fetch, texture_combine};
+use super::texture::{address, fetch, mix_next, texel_key, texture_combine};
 use super::{
     Pass, Tile, alpha_test, chroma_key, combine, depth, fog, iterate, output, shade, stipple,
+    wide_depth,
 };
 
 /// A stage at one level.
@@ -48,12 +49,24 @@ macro_rules! stage {
 }
 
 macro_rules! unit_stages {
-    ($($address:ident $fetch:ident $combine:ident $index:literal)*) => {$(
+    ($($address:ident $fetch:ident $key:ident $next:ident $mix:ident $combine:ident $index:literal)*) => {$(
         stage!($address, |s, block, pass, _tile| {
             if let Some(plan) = &pass.pipeline.units[$index] { address(s, block, pass, plan) }
         });
         stage!($fetch, |s, block, pass, _tile| {
             if let Some(plan) = &pass.pipeline.units[$index] { fetch(s, block, plan) }
+        });
+        stage!($key, |s, block, pass, tile| {
+            if let Some(plan) = &pass.pipeline.units[$index] { texel_key(s, block, plan, tile) }
+        });
+        stage!($next, |s, block, pass, _tile| {
+            let plan = pass.pipeline.units[$index].as_deref();
+            if let Some(plan) = plan.and_then(|plan| plan.next.as_deref()) {
+                address(s, block, pass, plan)
+            }
+        });
+        stage!($mix, |s, block, pass, _tile| {
+            if let Some(plan) = &pass.pipeline.units[$index] { mix_next(s, block, plan) }
         });
         stage!($combine, |s, block, pass, _tile| {
             if let Some(plan) = &pass.pipeline.units[$index] { texture_combine(s, block, plan) }
@@ -62,12 +75,18 @@ macro_rules! unit_stages {
 }
 
 unit_stages! {
-    address_0 fetch_0 texture_combine_0 0
-    address_1 fetch_1 texture_combine_1 1
-    address_2 fetch_2 texture_combine_2 2
+    address_0 fetch_0 texel_key_0 next_0 mix_0 texture_combine_0 0
+    address_1 fetch_1 texel_key_1 next_1 mix_1 texture_combine_1 1
+    address_2 fetch_2 texel_key_2 next_2 mix_2 texture_combine_2 2
 }
 stage!(depth_stage, |s, block, pass, tile| depth::depth(s, block, pass, tile));
 stage!(ready_depth, |s, block, pass, tile| depth::ready_depth(s, block, pass, tile));
+stage!(wide_depth_stage, |s, block, pass, tile| {
+    wide_depth::wide_depth::<S, false>(s, block, pass, tile)
+});
+stage!(ready_wide_depth, |s, block, pass, tile| {
+    wide_depth::wide_depth::<S, true>(s, block, pass, tile)
+});
 stage!(iterate_colors, |s, block, pass, _tile| iterate::iterate_colors(s, block, pass));
 stage!(chroma_key, |s, block, pass, tile| chroma_key::chroma_key(s, block, pass, tile));
 stage!(combine, |s, block, pass, _tile| combine::combine(s, block, pass));
@@ -114,12 +133,23 @@ pub(crate) fn stage_list<S: Simd>(stages: &[Stage], out: &mut StageList<S>) {
             Stage::Pattern => pattern_stage,
             Stage::Depth => depth_stage,
             Stage::ReadyDepth => ready_depth,
+            Stage::WideDepth => wide_depth_stage,
+            Stage::ReadyWideDepth => ready_wide_depth,
             Stage::Address(0) => address_0,
             Stage::Address(1) => address_1,
             Stage::Address(_) => address_2,
             Stage::Fetch(0) => fetch_0,
             Stage::Fetch(1) => fetch_1,
             Stage::Fetch(_) => fetch_2,
+            Stage::TexelKey(0) => texel_key_0,
+            Stage::TexelKey(1) => texel_key_1,
+            Stage::TexelKey(_) => texel_key_2,
+            Stage::AddressNext(0) => next_0,
+            Stage::AddressNext(1) => next_1,
+            Stage::AddressNext(_) => next_2,
+            Stage::MixNext(0) => mix_0,
+            Stage::MixNext(1) => mix_1,
+            Stage::MixNext(_) => mix_2,
             Stage::TextureCombine(0) => texture_combine_0,
             Stage::TextureCombine(1) => texture_combine_1,
             Stage::TextureCombine(_) => texture_combine_2,

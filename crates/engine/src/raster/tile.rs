@@ -65,11 +65,12 @@ impl Target<'_> {
             Plane::Bits16(pixels) => ColorTile::Bits16(pixels, format),
             Plane::Bits32(pixels) => ColorTile::Bits32(pixels, format),
         };
-        let aux = match self.aux.as_mut().map(|aux| &mut aux.plane) {
-            Some(Plane::Bits16(pixels)) => pixels.as_mut_slice(),
-            _ => &mut [],
+        let (aux, aux32) = match self.aux.as_mut().map(|aux| &mut aux.plane) {
+            Some(Plane::Bits16(pixels)) => (pixels.as_mut_slice(), &mut [][..]),
+            Some(Plane::Bits32(pixels)) => (&mut [][..], pixels.as_mut_slice()),
+            None => (&mut [][..], &mut [][..]),
         };
-        Tile { color, aux, counters }
+        Tile { color, aux, aux32, counters }
     }
 }
 
@@ -292,7 +293,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
     ) -> bool {
         let (pipeline, clip) = (current.pipeline, current.clip);
         let Some(aux) = &mut target.aux else { return false };
-        if !pipeline.needs.depth && !pipeline.writes_aux() {
+        if !pipeline.needs.depth && !pipeline.writes_aux() || !aux.has_bounds() {
             return false;
         }
         let range = depth_range(pipeline, triangles, triangle, area);

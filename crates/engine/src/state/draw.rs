@@ -136,22 +136,6 @@ pub struct DrawState {
     pub color_write: bool,
 }
 
-impl DrawState {
-    /// The first thing it asks for that the engine does not do yet.
-    pub(crate) fn missing(&self) -> Option<&'static str> {
-        use super::ZOverflow;
-        let unit = |asks: fn(&TextureUnit) -> bool| self.units.iter().flatten().any(asks);
-        [
-            (self.depth.z_overflow != ZOverflow::Wrap, "a rule for z outside its range"),
-            (self.depth.source.is_deep(), "a deep depth buffer"),
-            (unit(|unit| unit.mix_levels), "mixing of texture levels"),
-            (unit(|unit| unit.drop_keyed), "a texel key"),
-        ]
-        .into_iter()
-        .find_map(|(asked, what)| asked.then_some(what))
-    }
-}
-
 impl Default for DrawState {
     fn default() -> DrawState {
         use super::{Addend, CombineUnit, Factor};
