@@ -29,8 +29,7 @@ pub fn rounded(numerator: i32, denominator: i32) -> i32 {
 pub fn apply(state: &DrawState, color: [i32; 4], inputs: &ShadeInputs) -> [i32; 4] {
     let mut out = color;
     let coverage = inputs.texel[3];
-    for channel in 0..3 {
-        let value = &mut out[channel];
+    for (channel, value) in out.iter_mut().enumerate().take(3) {
         if let Some(from) = state.shade.decal {
             let base = match from {
                 DecalBase::Iterated => inputs.iterated[channel],

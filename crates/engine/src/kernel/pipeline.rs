@@ -248,10 +248,11 @@ fn drop_aux(state: &mut DrawState, aux: Option<PixelFormat>) {
 
 /// Drops what changes nothing on a target of a format.
 fn simplify(state: &mut DrawState, format: PixelFormat) {
-    if !format.has_alpha() && state.aux_write != AuxWrite::Alpha {
-        if let Some(blend) = &mut state.blend {
-            blend.alpha = AlphaEquation::Switches;
-        }
+    if !format.has_alpha()
+        && state.aux_write != AuxWrite::Alpha
+        && let Some(blend) = &mut state.blend
+    {
+        blend.alpha = AlphaEquation::Switches;
     }
 }
 
