@@ -28,7 +28,7 @@ mod stipple;
 mod wide_depth;
 
 pub(crate) use pipeline::Pipeline;
-pub(crate) use stages::{StageList, run, stage_list};
+pub(crate) use stages::{StageList, StripFn, run, stage_list, strip_function};
 
 use fillrate_simd::Simd;
 

@@ -6,6 +6,7 @@ use fillrate_simd::Scalar;
 
 use super::block::{Block, Colors, STAMP};
 use super::combine::{Arithmetic, Switches};
+use super::depth::{early, early_test};
 use super::fog::{fog_entries, fog_samples};
 use super::joined::{Joined, join_stages};
 use super::lanes::dither_pattern;
@@ -28,6 +29,9 @@ pub(crate) enum Stage {
     Stipple,
     Pattern,
     Depth,
+    /// z and w that are read after the test, which ran before; see
+    /// [`Pipeline::early`].
+    KeepDepth,
     /// The depth test on depths that are already there.
     ReadyDepth,
     /// Depth with another rule for z, a deep source or a 32-bit plane.
@@ -89,7 +93,13 @@ pub(crate) struct Needs {
 pub(crate) struct Pipeline {
     pub state: DrawState,
     pub needs: Needs,
+    /// The depth test that runs before the stages, one of
+    /// [`super::depth::early`].
+    pub early: u8,
     pub stages: Vec<Stage>,
+    /// Stages read what others write into the tile, so a block must not hold a
+    /// stamp twice.
+    pub in_order: bool,
     pub units: [Option<Box<UnitPlan>>; MAX_TMUS],
     /// Texture units that iterate coordinates: the highest in use, plus one.
     pub unit_count: usize,
@@ -131,6 +141,8 @@ impl Pipeline {
         let mut state = *state;
         drop_aux(&mut state, aux);
         simplify(&mut state, format);
+        // Depths are in the range that a bias limits them to.
+        state.depth.bias = state.depth.bias.filter(|&bias| bias != 0);
         let reads_alpha = reads_alpha(&state, format);
         let needs = needs(&state, reads_alpha);
         let units = units(&state, textures);
@@ -142,6 +154,8 @@ impl Pipeline {
             arithmetic: Arithmetic::of(color, alpha, reads_alpha),
             reads_alpha,
             needs,
+            early: early::NONE,
+            in_order: true,
             unit_count: units.iter().rposition(Option::is_some).map_or(0, |i| i + 1),
             units,
             combine: Switches::new(color, alpha),
@@ -163,13 +177,38 @@ impl Pipeline {
         };
         join_stages(&mut pipeline, format);
         flatten(&mut pipeline, format);
+        pipeline.test_early();
         pipeline
+    }
+
+    /// Takes the depth test out of the stages where it can run before them.
+    fn test_early(&mut self) {
+        if self.stages.first() == Some(&Stage::Depth) {
+            self.early = early_test(self);
+            if self.early != early::NONE {
+                self.stages[0] = Stage::KeepDepth;
+                if !self.needs.keeps_z && !self.needs.keeps_w {
+                    self.stages.remove(0);
+                }
+            }
+        }
+        let reads = [
+            Stage::Depth,
+            Stage::ReadyDepth,
+            Stage::WideDepth,
+            Stage::ReadyWideDepth,
+            Stage::DepthWrite,
+            Stage::Blend,
+            Stage::BlendFully,
+            Stage::WriteBits,
+        ];
+        self.in_order = self.stages.iter().any(|stage| reads.contains(stage));
     }
 
     /// Whether a triangle that covers a tile replaces all its colours and
     /// changes nothing else.
     pub fn replaces_tile(&self) -> bool {
-        self.flat.is_some() && self.stages == [Stage::Flat]
+        self.early == early::NONE && self.stages == [Stage::Flat]
     }
 
     /// Compiles the stages that ready-made fragments pass: no texturing, no
@@ -194,6 +233,7 @@ impl Pipeline {
             pipeline.passes_iterated,
             (format, aux),
         );
+        (pipeline.early, pipeline.in_order) = (early::NONE, true);
         let made = [Stage::IterateColors, Stage::Combine];
         pipeline.stages.retain(|stage| !made.contains(stage));
         for stage in &mut pipeline.stages {

@@ -66,7 +66,7 @@ pub(crate) fn decal<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
         let base = match from {
             DecalBase::Base => extra_colors(s, pass, at, BASE, j),
             DecalBase::Iterated => {
-                iterated_colors(s, &pass.triangle(at).narrow, places(s, at.x, at.y, j))
+                iterated_colors::<S, false>(s, &pass.triangle(at).narrow, places(s, at.x, at.y, j))
             }
         };
         [lerp_255(s, rb, base[0], alpha), lerp_255(s, ga, base[1], alpha)]
