@@ -11,7 +11,7 @@ use crate::color_table::ColorTable;
 use crate::constants::texture;
 use crate::handle::DrawContextId;
 use crate::image::Image;
-use crate::memory::Slot;
+use crate::memory::ResourceId;
 use crate::pixel::PixelType;
 use crate::vertex::ImageValue;
 
@@ -20,8 +20,8 @@ use crate::vertex::ImageValue;
 pub(crate) enum Source {
     /// The program.
     Program,
-    /// A draw context, whose frame of this number was copied last.
-    Context(DrawContextId, u64),
+    /// A draw context.
+    Context(DrawContextId),
 }
 
 /// How a picture is decoded for the sampler.
@@ -52,9 +52,11 @@ pub(crate) struct Picture {
     pub table: Option<ColorTable>,
     pub source: Source,
     /// Its place in the books of the texture memory.
-    pub slot: Slot,
+    pub resource: Option<ResourceId>,
     /// The level that the program has access to.
     pub accessed: Option<usize>,
+    /// The context that it is made from has drawn since.
+    pub is_stale: bool,
     is_bitmap: bool,
     /// The two decodings used last.
     decoded: Vec<Decoded>,
@@ -97,8 +99,9 @@ impl Picture {
             levels,
             table: None,
             source: Source::Program,
-            slot: Slot(0),
+            resource: None,
             accessed: None,
+            is_stale: false,
             is_bitmap,
             decoded: Vec::new(),
         }

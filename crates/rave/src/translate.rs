@@ -3,14 +3,14 @@
 //! Source: RAVE, pixel pipeline and enumerated values.
 
 use fillrate_engine::state::{
-    Addend, AlphaCombine, AlphaEquation, AlphaTest, AuxWrite, Blend, BlendFactor, Channels,
+    Addend, AlphaCombine, AlphaEquation, AlphaTest, AuxWrite, Axis, Blend, BlendFactor, Channels,
     ColorCombine, ColorLocal, CombineUnit, Compare, DecalBase, DepthSource, DepthState, Dither,
     Factor, Filter, Fog, FogAmount, FogTable, LodRange, MAX_TMUS, Other, Pattern, PatternBits,
     Rect, Shade, TextureCombine, TextureFactor, TextureUnit, ZOverflow,
 };
 use fillrate_engine::{DrawState, PixelFormat};
 
-use crate::constants::{blend, channel, compare, fog, multi_texture, quality, texture_op};
+use crate::constants::{blend, channel, compare, multi_texture, quality, texture_op};
 use crate::fog::FogCurve;
 use crate::state::{Layer, State, unit_byte};
 use crate::tags::{float, int};
@@ -61,7 +61,25 @@ pub(crate) struct Variant {
     /// A diffuse colour is above 1.
     pub bright: bool,
     pub fog: FogSource,
-    pub pattern: Option<Pattern>,
+    pub pattern: PatternUse,
+}
+
+/// Which pattern a primitive is drawn through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PatternUse {
+    /// None.
+    None,
+    /// The area pattern, where it drops something.
+    Area,
+    /// The line pattern, counted along an axis.
+    Line {
+        /// Of the longer extent.
+        axis: Axis,
+        /// The first pixel.
+        origin: i32,
+        /// Counts against the axis.
+        backwards: bool,
+    },
 }
 
 /// What is known of a picture that is sampled.
@@ -107,7 +125,7 @@ pub(crate) fn draw_state(state: &State, at: &Surroundings, variant: &Variant) ->
         blend: if variant.opaque { None } else { blending(state) },
         dither: if at.dithers && at.format.is_reduced() { Dither::Ordered4x4 } else { Dither::Off },
         channels: channels(state),
-        pattern: variant.pattern,
+        pattern: pattern(state, variant.pattern),
         ..DrawState::default()
     }
 }
@@ -357,7 +375,7 @@ fn bitmap_unit(state: &State, sampled: Sampled) -> TextureUnit {
         quality::FAST => quality::FAST,
         _ => quality::MID,
     };
-    TextureUnit { perspective: false, ..sampler(filter, 0.5, [true; 2], sampled) }
+    sampler(filter, 0.5, [true; 2], sampled)
 }
 
 /// A unit that samples by a filter and passes its texel on.
@@ -416,20 +434,29 @@ fn layer_unit(layer: &Layer, sampled: Sampled) -> TextureUnit {
     unit
 }
 
-/// Where primitives with the state's fog get it from; `by_fragment`: fragments
-/// have a distance.
-pub(crate) fn fog_source(state: &State, by_fragment: bool) -> FogSource {
-    match state.int(int::FOG_MODE) {
-        fog::NONE => FogSource::None,
-        fog::ALPHA => FogSource::Vertices,
-        _ if by_fragment => FogSource::Fragment,
-        _ => FogSource::Vertices,
-    }
+fn pattern(state: &State, used: PatternUse) -> Option<Pattern> {
+    let bits = match used {
+        PatternUse::None => return None,
+        PatternUse::Area => {
+            let rows = state.area_pattern();
+            if rows.iter().all(|&row| row == u32::MAX) {
+                return None;
+            }
+            PatternBits::Area(rows)
+        }
+        PatternUse::Line { axis, origin, backwards } => PatternBits::Line {
+            bits: state.int(int::GL_LINE_PATTERN),
+            length: 16,
+            factor: state.int(int::GL_LINE_PATTERN_FACTOR) as u16,
+            axis,
+            origin,
+            backwards,
+        },
+    };
+    Some(Pattern { bits, background: None })
 }
 
-/// The area pattern, where it drops something.
-pub(crate) fn area_pattern(state: &State) -> Option<Pattern> {
-    let rows = state.area_pattern();
-    let drops = rows.iter().any(|&row| row != u32::MAX);
-    drops.then_some(Pattern { bits: PatternBits::Area(rows), background: None })
+/// Whether the line pattern drops something.
+pub(crate) fn has_line_pattern(state: &State) -> bool {
+    state.int(int::GL_LINE_PATTERN) != 0xffff
 }
