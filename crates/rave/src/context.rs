@@ -22,9 +22,7 @@ use crate::objects::Objects;
 use crate::pixel::PixelType;
 use crate::queue::Queue;
 use crate::texture::Picture;
-use crate::vertex::{
-    DeviceValue, ImageValue, RaveRect, VGouraud, VMultiTexture, VTexture,
-};
+use crate::vertex::{DeviceValue, ImageValue, RaveRect, VGouraud, VMultiTexture, VTexture};
 
 /// The most draw contexts at a time.
 pub const MAX_CONTEXTS: usize = 64;
@@ -139,7 +137,9 @@ impl Context {
             Call::SetInt { context, tag, value } => {
                 self.change(*context, |context| context.state.set_int(*tag, *value))
             }
-            Call::SetTexture { context, tag, texture } => self.set_texture(*context, *tag, *texture),
+            Call::SetTexture { context, tag, texture } => {
+                self.set_texture(*context, *tag, *texture)
+            }
             Call::SubmitVerticesGouraud { context, vertices } => {
                 self.submit_vertices_gouraud(DrawContextId(*context), vertices);
                 Reply::Nothing
@@ -649,7 +649,8 @@ impl Context {
         self.objects.settle();
         let lock = if is_bitmap { crate::constants::bitmap::LOCK } else { texture::LOCK };
         let locked = picture.flags & lock != 0;
-        picture.resource = Some(self.objects.memory.create(Arc::new(()), picture.bytes(), locked)?);
+        picture.resource =
+            Some(self.objects.memory.create(Arc::new(()), picture.bytes(), locked)?);
         let number = self.objects.number();
         self.pictures(is_bitmap).insert(number, picture);
         Ok(number)

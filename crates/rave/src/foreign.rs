@@ -45,7 +45,13 @@ impl Context {
     }
 
     /// Keeps track of new and deleted objects.
-    fn note_foreign(&mut self, call: &Call, id: EngineId, reply: Reply, number: u32) -> Option<Reply> {
+    fn note_foreign(
+        &mut self,
+        call: &Call,
+        id: EngineId,
+        reply: Reply,
+        number: u32,
+    ) -> Option<Reply> {
         if let Call::DrawContextDelete { context } = call {
             self.foreign.contexts.remove(context);
         }

@@ -47,7 +47,11 @@ impl Context {
                 }
                 let keeps = context.notices[notice::IMAGE_BUFFER_INITIALIZE as usize];
                 let color = (!keeps).then(|| (context.background(), context.dither()));
-                fill(context, queue, ClearPlanes { rect, color, depth: Some(depth_background(context)) });
+                fill(
+                    context,
+                    queue,
+                    ClearPlanes { rect, color, depth: Some(depth_background(context)) },
+                );
             }
         }
         self.objects.memory.start_frame();

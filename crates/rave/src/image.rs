@@ -113,7 +113,7 @@ pub(crate) fn decode_row(
             0x00ff_ffff | if on != 0 { 0xff00_0000 } else { 0 }
         })),
         Rgb16 => out.extend(words().take(width).map(|w| 0xff00_0000 | rgb555(w))),
-        Argb16 => out.extend(words().take(width).map(|w| (w >> 15) * 0xff00_0000 | rgb555(w))),
+        Argb16 => out.extend(words().take(width).map(|w| ((w >> 15) * 0xff00_0000) | rgb555(w))),
         Rgb32 => out.extend(longs().take(width).map(|l| 0xff00_0000 | l)),
         Argb32 => out.extend(longs().take(width)),
         Cl4 => out.extend((0..width).map(|x| {
@@ -122,18 +122,22 @@ pub(crate) fn decode_row(
         })),
         Cl8 => out.extend(bytes().take(width).map(|b| indexed(b, 255))),
         Rgb16_565 => out.extend(words().take(width).map(rgb565)),
-        Rgb24 => out.extend(row.as_chunks::<3>().0.iter().take(width).map(|&[b, g, r]| {
-            u32::from_be_bytes([255, r, g, b])
-        })),
+        Rgb24 => out.extend(
+            row.as_chunks::<3>()
+                .0
+                .iter()
+                .take(width)
+                .map(|&[b, g, r]| u32::from_be_bytes([255, r, g, b])),
+        ),
         Rgb8_332 => out.extend(bytes().take(width).map(rgb332)),
         Argb16_4444 => out.extend(words().take(width).map(argb4444)),
-        Acl16_88 => out.extend(words().take(width).map(|w| {
-            indexed(w & 255, 255) & 0x00ff_ffff | (w >> 8) << 24
-        })),
+        Acl16_88 => out.extend(
+            words().take(width).map(|w| indexed(w & 255, 255) & 0x00ff_ffff | (w >> 8) << 24),
+        ),
         I8 => out.extend(bytes().take(width).map(opaque_grey)),
-        Ai16_88 => out.extend(words().take(width).map(|w| {
-            opaque_grey(w & 255) & 0x00ff_ffff | (w >> 8) << 24
-        })),
+        Ai16_88 => out.extend(
+            words().take(width).map(|w| opaque_grey(w & 255) & 0x00ff_ffff | (w >> 8) << 24),
+        ),
         Yuvs => yuv_row(row, width, [0, 1, 2, 3], 0, out),
         Yuvu => yuv_row(row, width, [0, 1, 2, 3], 0x80, out),
         Yvyu422 => yuv_row(row, width, [0, 3, 2, 1], 0, out),
@@ -142,7 +146,7 @@ pub(crate) fn decode_row(
 }
 
 fn opaque_grey(value: u32) -> u32 {
-    0xff00_0000 | value * 0x0001_0101
+    0xff00_0000 | (value * 0x0001_0101)
 }
 
 /// Five bits as eight, by replication.
@@ -165,7 +169,7 @@ fn rgb332(b: u32) -> u32 {
         let v = v & 7;
         v << 5 | v << 2 | v >> 1
     };
-    0xff00_0000 | three(b >> 5) << 16 | three(b >> 2) << 8 | (b & 3) * 85
+    0xff00_0000 | three(b >> 5) << 16 | three(b >> 2) << 8 | ((b & 3) * 85)
 }
 
 fn argb4444(w: u32) -> u32 {
@@ -222,7 +226,7 @@ mod tests {
         assert_eq!(decoded(PixelType::Argb16, 1, &word(0x03e0), None), [0x0000_ff00]);
         assert_eq!(decoded(PixelType::Rgb16_565, 1, &word(0xf81f), None), [0xffff_00ff]);
         assert_eq!(decoded(PixelType::Argb16_4444, 1, &word(0x8f0a), None), [0x88ff_00aa]);
-        assert_eq!(decoded(PixelType::Rgb8_332, 1, &[0b111_000_10], None), [0xffff_00aa]);
+        assert_eq!(decoded(PixelType::Rgb8_332, 1, &[0xe2], None), [0xffff_00aa]);
         assert_eq!(decoded(PixelType::Rgb24, 1, &[1, 2, 3], None), [0xff03_0201]);
         assert_eq!(decoded(PixelType::Ai16_88, 1, &word(0x4080), None), [0x4080_8080]);
         assert_eq!(decoded(PixelType::Rgb32, 1, &0x11_2233u32.to_le_bytes(), None), [0xff11_2233]);

@@ -26,7 +26,13 @@ pub trait Host {
 
     /// Calls a notice with the back buffer of a context. The program may write
     /// into it, inside `dirty` and elsewhere.
-    fn buffer(&mut self, context: DrawContextId, selector: u32, buffer: &mut Shown, dirty: RaveRect);
+    fn buffer(
+        &mut self,
+        context: DrawContextId,
+        selector: u32,
+        buffer: &mut Shown,
+        dirty: RaveRect,
+    );
 }
 
 /// `QARenderStart`, with the notice in place of the clear.
@@ -84,9 +90,5 @@ fn offer_buffer(
     host.buffer(context, selector, &mut buffer, dirty.unwrap_or(all));
     let changed = buffer.pixels.len() == before.len() && buffer.pixels != before;
     let pixels = if changed { buffer.pixels } else { Vec::new() };
-    host.call(&Call::AccessDrawBufferEnd {
-        context: context.0,
-        rect: all,
-        pixels: pixels.into(),
-    });
+    host.call(&Call::AccessDrawBufferEnd { context: context.0, rect: all, pixels: pixels.into() });
 }

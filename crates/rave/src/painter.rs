@@ -192,7 +192,10 @@ impl Painter {
             self.device.clear(rect, ClearValues { color: None, aux: Some(0) });
         }
         let _ = self.device.set_target(target.color, target.z);
-        self.device.clear(rect, ClearValues { color: clear.color, aux: aux.filter(|_| target.z.is_some()) });
+        self.device.clear(
+            rect,
+            ClearValues { color: clear.color, aux: aux.filter(|_| target.z.is_some()) },
+        );
     }
 
     /// Copies planes of another context of the same size into the current one.
@@ -407,11 +410,14 @@ fn resample(surface: &Surface, target: &Target, front: &Front, filter: u32, x: u
     let ((x0, x1), (y0, y1)) = (span(x, width, front.width), span(y, height, front.height));
     let shrinks = width > front.width || height > front.height;
     if shrinks || filter == 0 {
-        let rect = if shrinks { Rect::new(x0, y0, x1, y1) } else { Rect::new(x0, y0, x0 + 1, y0 + 1) };
+        let rect =
+            if shrinks { Rect::new(x0, y0, x1, y1) } else { Rect::new(x0, y0, x0 + 1, y0 + 1) };
         return mean(surface, target.format, rect);
     }
-    let ((x0, x1, fx), (y0, y1, fy)) = (neighbours(x, width, front.width), neighbours(y, height, front.height));
-    let texel = |x: u32, y: u32| unpack(target.format, surface.get(x, y)).to_be_bytes().map(u32::from);
+    let ((x0, x1, fx), (y0, y1, fy)) =
+        (neighbours(x, width, front.width), neighbours(y, height, front.height));
+    let texel =
+        |x: u32, y: u32| unpack(target.format, surface.get(x, y)).to_be_bytes().map(u32::from);
     let corners = [texel(x0, y0), texel(x1, y0), texel(x0, y1), texel(x1, y1)];
     let weights = [(256 - fx) * (256 - fy), fx * (256 - fy), (256 - fx) * fy, fx * fy];
     let channel = |i: usize| {

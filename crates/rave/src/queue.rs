@@ -26,7 +26,11 @@ enum Renderer {
     /// Draws when a batch is handed over.
     Here(Box<Painter>),
     /// Draws while the program goes on.
-    Thread { sender: Option<SyncSender<Message>>, used: Receiver<Box<Batch>>, handle: Option<JoinHandle<()>> },
+    Thread {
+        sender: Option<SyncSender<Message>>,
+        used: Receiver<Box<Batch>>,
+        handle: Option<JoinHandle<()>>,
+    },
 }
 
 /// The batch that is being filled, and the renderer.
@@ -68,7 +72,15 @@ impl Queue {
         } else {
             Renderer::Here(Box::new(painter))
         };
-        Ok(Queue { batch: Box::default(), renderer, sent: 0, done, serial: 0, target: None, state: None })
+        Ok(Queue {
+            batch: Box::default(),
+            renderer,
+            sent: 0,
+            done,
+            serial: 0,
+            target: None,
+            state: None,
+        })
     }
 
     /// Hands the batch over.

@@ -326,7 +326,10 @@ mod tests {
             Picture::bitmap(0, PixelType::Argb32, &image(3, 1, &[1, 2, 0xff00_0003])).unwrap();
         let decoded = bitmap.decoded(Decoding { clamp: true, key: None });
         assert!(!decoded.opaque);
-        assert_eq!([0, 1, 2, 3].map(|x| decoded.texels.texel(0, x, 0)), [1, 2, 0xff00_0003, 0xff00_0003]);
+        assert_eq!(
+            [0, 1, 2, 3].map(|x| decoded.texels.texel(0, x, 0)),
+            [1, 2, 0xff00_0003, 0xff00_0003]
+        );
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Bitmaps: rectangles of pixels, cut to the context.
 
-use fillrate_engine::{TmuVertex, Vertex};
+use fillrate_engine::{TmuVertex, Vertex, VertexExtra};
 
 use super::Pen;
 use super::prepare::bind_bitmap;
@@ -50,11 +50,7 @@ impl Pen<'_> {
         if ![left, upper, right, lower].iter().all(|side| side.is_finite()) {
             return self.context.fail(RaveError::Parameter);
         }
-        let corner = |x: f32, y: f32, s: f32, t: f32| {
-            let mut vertex = Vertex { x, y, ..base };
-            vertex.tmu[0] = TmuVertex { s, t, w: 1.0 };
-            Corner { vertex, extra }
-        };
+        let corner = |x: f32, y: f32, s: f32, t: f32| at(&base, &extra, [x, y], [s, t]);
         let [a, b] = [corner(left, upper, 0.0, top), corner(right, upper, columns, top)];
         let [c, d] = [corner(left, lower, 0.0, bottom), corner(right, lower, columns, bottom)];
         // The state samples the bitmap in place of the texture.
@@ -71,4 +67,12 @@ impl Pen<'_> {
             prepared.forget(Paint::Bitmap);
         }
     }
+}
+
+/// A corner of the rectangle with its texel.
+fn at(base: &Vertex, extra: &VertexExtra, [x, y]: [f32; 2], [s, t]: [f32; 2]) -> Corner {
+    let mut vertex = *base;
+    (vertex.x, vertex.y) = (x, y);
+    vertex.tmu[0] = TmuVertex { s, t, w: 1.0 };
+    Corner { vertex, extra: *extra }
 }

@@ -90,7 +90,9 @@ mod tests {
         };
         let polygon = to_guard(&[at(-1e30, 10.0), at(1e30, 0.0), at(100.0, 1e6)], (320, 220));
         assert!(polygon.len() >= 3 && polygon.iter().all(fits));
-        assert!(to_guard(&[at(5000.0, 0.0), at(6000.0, 0.0), at(5000.0, 9.0)], (320, 220)).is_empty());
+        assert!(
+            to_guard(&[at(5000.0, 0.0), at(6000.0, 0.0), at(5000.0, 9.0)], (320, 220)).is_empty()
+        );
         let cut = to_guard(&[at(0.0, 0.0), at(4000.0, 0.0), at(0.0, 100.0)], (320, 220));
         assert!(cut.iter().all(|corner| (corner.vertex.r - corner.vertex.x).abs() < 0.01));
     }

@@ -114,7 +114,7 @@ pub(super) fn w_scale(inv_w: [f32; 3]) -> f32 {
     if (1.0 / 64.0..=1024.0).contains(&greatest) {
         return 1.0;
     }
-    if !(greatest >= f32::MIN_POSITIVE && greatest < f32::MAX) {
+    if !(f32::MIN_POSITIVE..f32::MAX).contains(&greatest) {
         return 1.0;
     }
     let exponent = (greatest.to_bits() >> 23) as i32 - 127;

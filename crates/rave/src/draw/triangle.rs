@@ -101,16 +101,7 @@ impl Pen<'_> {
 
 /// A textured vertex with its diffuse colour alone.
 pub(super) fn plain(v: &VTexture) -> VGouraud {
-    VGouraud {
-        x: v.x,
-        y: v.y,
-        z: v.z,
-        inv_w: v.inv_w,
-        r: v.kd_r,
-        g: v.kd_g,
-        b: v.kd_b,
-        a: v.a,
-    }
+    VGouraud { x: v.x, y: v.y, z: v.z, inv_w: v.inv_w, r: v.kd_r, g: v.kd_g, b: v.kd_b, a: v.a }
 }
 
 /// Whether all of a vertex are numbers that can be drawn with.
