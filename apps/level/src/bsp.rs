@@ -22,7 +22,10 @@ pub mod lump {
     pub const NODES: usize = 3;
     pub const LEAFS: usize = 4;
     pub const LEAF_FACES: usize = 5;
+    pub const LEAF_BRUSHES: usize = 6;
     pub const MODELS: usize = 7;
+    pub const BRUSHES: usize = 8;
+    pub const BRUSH_SIDES: usize = 9;
     pub const VERTICES: usize = 10;
     pub const MESH_VERTICES: usize = 11;
     pub const FACES: usize = 13;
@@ -38,8 +41,12 @@ pub struct ShaderRef {
     pub name: String,
     /// Surface flags.
     pub flags: u32,
+    /// What is inside.
+    pub contents: u32,
 }
 
+/// Contents through which players do not go: what is solid, and clips.
+const CONTENTS_SOLID: u32 = 0x1_0001;
 /// Surface flag: the sky.
 pub const FLAG_SKY: u32 = 0x4;
 /// Surface flag: not drawn.
@@ -54,6 +61,8 @@ pub struct Vertex {
     pub st: [f32; 2],
     /// Lightmap coordinates, 0 to 1.
     pub light: [f32; 2],
+    /// Normal.
+    pub normal: Vec3,
     /// Red, green, blue, alpha.
     pub color: [u8; 4],
 }
@@ -68,7 +77,7 @@ pub enum FaceKind {
     Patch(usize, usize),
     /// Triangles.
     Mesh,
-    /// A picture that turns to the viewer; not drawn.
+    /// A picture that turns to the viewer.
     Billboard,
 }
 
@@ -87,6 +96,8 @@ pub struct Face {
     pub lightmap: Option<usize>,
     /// Normal of a polygon.
     pub normal: Vec3,
+    /// Where a billboard is, and its red, green and blue, 0 to 1.
+    pub billboard: (Vec3, Vec3),
 }
 
 /// A node: a plane and what lies on both sides of it.
@@ -112,6 +123,7 @@ pub struct Leaf {
     /// Highest corner.
     pub high: Vec3,
     faces: (usize, usize),
+    brushes: (usize, usize),
 }
 
 /// A level file.
@@ -126,6 +138,11 @@ pub struct Bsp {
     /// Leaves.
     pub leafs: Vec<Leaf>,
     leaf_faces: Vec<usize>,
+    leaf_brushes: Vec<usize>,
+    /// Convex bodies: first side, count, shader.
+    brushes: Vec<(usize, usize, usize)>,
+    /// The plane of each side.
+    brush_sides: Vec<usize>,
     /// Vertices.
     pub vertices: Vec<Vertex>,
     /// Offsets of triangles' corners.
@@ -213,6 +230,7 @@ fn face(r: Record<'_>) -> Face {
         triangles: (r.index(5), r.index(6)),
         lightmap: usize::try_from(r.int(7)).ok(),
         normal: r.floats(21),
+        billboard: (r.floats(12), r.floats(15)),
     }
 }
 
@@ -231,6 +249,7 @@ impl Bsp {
             shaders: records(lump(lump::SHADERS)?, 72, |r| ShaderRef {
                 name: text(&r.0[..64]),
                 flags: r.word(16),
+                contents: r.word(17),
             }),
             planes: records(lump(lump::PLANES)?, 16, |r| (r.floats(0), r.float(3))),
             nodes: records(lump(lump::NODES)?, 36, |r| Node {
@@ -242,12 +261,17 @@ impl Bsp {
                 low: r.ints(2),
                 high: r.ints(5),
                 faces: (r.index(8), r.index(9)),
+                brushes: (r.index(10), r.index(11)),
             }),
             leaf_faces: records(lump(lump::LEAF_FACES)?, 4, |r| r.index(0)),
+            leaf_brushes: records(lump(lump::LEAF_BRUSHES)?, 4, |r| r.index(0)),
+            brushes: records(lump(lump::BRUSHES)?, 12, |r| (r.index(0), r.index(1), r.index(2))),
+            brush_sides: records(lump(lump::BRUSH_SIDES)?, 8, |r| r.index(0)),
             vertices: records(lump(lump::VERTICES)?, 44, |r| Vertex {
                 position: r.floats(0),
                 st: r.floats(3),
                 light: r.floats(5),
+                normal: r.floats(7),
                 color: r.word(10).to_le_bytes(),
             }),
             mesh_vertices: records(lump(lump::MESH_VERTICES)?, 4, |r| r.index(0)),
@@ -294,6 +318,15 @@ impl Bsp {
         if !leafs || self.leaf_faces.iter().any(|&face| face >= self.faces.len()) {
             bail!("a leaf refers beyond a table");
         }
+        let bodies = self.brushes.iter().all(|&(first, count, shader)| {
+            inside((first, count), self.brush_sides.len()) && shader < self.shaders.len()
+        });
+        let sides = self.brush_sides.iter().all(|&plane| plane < self.planes.len());
+        let leafs = self.leafs.iter().all(|leaf| inside(leaf.brushes, self.leaf_brushes.len()));
+        let brushes = self.leaf_brushes.iter().all(|&brush| brush < self.brushes.len());
+        if !(bodies && sides && leafs && brushes) {
+            bail!("a body refers beyond a table");
+        }
         Ok(())
     }
 
@@ -313,6 +346,25 @@ impl Bsp {
                 }
             }
         }
+    }
+
+    /// Whether a point is outside the level or inside something solid.
+    pub fn is_solid(&self, point: Vec3) -> bool {
+        let Some(leaf) = self.leaf_at(point) else { return true };
+        if leaf.cluster.is_none() {
+            return true;
+        }
+        let (first, count) = leaf.brushes;
+        self.leaf_brushes[first..first + count].iter().any(|&brush| {
+            let (first, count, shader) = self.brushes[brush];
+            let mut sides = self.brush_sides[first..first + count].iter();
+            count > 0
+                && self.shaders[shader].contents & CONTENTS_SOLID != 0
+                && sides.all(|&plane| {
+                    let (normal, distance) = self.planes[plane];
+                    dot(normal, point) <= distance
+                })
+        })
     }
 
     /// The faces of a leaf.

@@ -7,11 +7,13 @@ use fillrate_engine::DeviceConfig;
 use fillrate_glide::card::{Card, RESOLUTIONS};
 use fillrate_glide::{Call, Context, GlideConfig, GrVertex, Improvements, Shown, gu};
 
-use crate::level::{Level, Surface};
+use crate::level::{Layer, Level, Material, SkyMaterial, Surface, Vertex};
 use crate::memory::{Placed, TextureMemory};
 use crate::picture::Texture;
 use crate::script::Mode;
+use crate::sky;
 use crate::view::{CLIP, OUTSIDE, Seen, View};
+use crate::wave::{self, Point};
 
 /// How to draw.
 #[derive(Clone, Debug)]
@@ -52,7 +54,10 @@ pub struct FrameStats {
 struct State {
     base: Option<usize>,
     lightmap: Option<usize>,
-    vertex_color: bool,
+    /// The texture is multiplied with iterated colours.
+    colored: bool,
+    /// Its alpha, too.
+    faded: bool,
     mode: Mode,
     two_sided: bool,
 }
@@ -75,6 +80,10 @@ enum Pass {
     Light,
     /// The fog, added to what is there.
     Fog,
+    /// A further layer of surfaces that are there.
+    Layer,
+    /// The sky.
+    Sky,
 }
 
 /// Glide, and what it holds.
@@ -91,6 +100,11 @@ pub struct Renderer {
     stamps: Vec<u64>,
     frame: u64,
     items: Vec<Item>,
+    /// The sky in sight.
+    sky: Option<usize>,
+    /// Seconds since the start.
+    time: f32,
+    points: Vec<Point>,
     seen: Vec<Seen>,
     projected: Vec<GrVertex>,
     polygon: Vec<Seen>,
@@ -139,6 +153,9 @@ impl Renderer {
             stamps: vec![0; surfaces],
             frame: 0,
             items: Vec::new(),
+            sky: None,
+            time: 0.0,
+            points: Vec::new(),
             seen: Vec::new(),
             projected: Vec::new(),
             polygon: Vec::new(),
@@ -182,22 +199,25 @@ impl Renderer {
         self.glide.take_reports().iter().map(ToString::to_string).collect()
     }
 
-    /// Draws a frame and shows it.
-    pub fn draw(&mut self, level: &Level, view: &View) -> FrameStats {
+    /// Draws a frame as it is at a time in seconds, and shows it.
+    pub fn draw(&mut self, level: &Level, view: &View, time: f32) -> FrameStats {
         let start = Instant::now();
         let downloads = self.downloads();
         self.triangles = 0;
+        self.time = time;
         self.collect(level, view);
         let items = core::mem::take(&mut self.items);
-        let blended = |item: &&Item| {
-            matches!(level.materials[level.surfaces[item.surface].material].mode, Mode::Blended(..))
-        };
+        let material = |item: &Item| &level.materials[level.surfaces[item.surface].material];
+        let blended = |item: &&Item| material(item).is_blended();
         let mut opaque: Vec<Item> = items.iter().filter(|i| !blended(i)).copied().collect();
         let mut clear: Vec<Item> = items.iter().filter(blended).copied().collect();
         self.call(Call::GrColorMask { rgb: 1, alpha: 0 });
         self.call(Call::GrDepthMask { mask: 1 });
         self.call(Call::GrBufferClear { color: SKY, alpha: 0, depth: 0xffff });
         self.state = None;
+        if let Some(sky) = self.sky {
+            self.draw_sky(level, view, &level.skies[sky]);
+        }
         self.sort_opaque(level, &mut opaque);
         if self.options.passes == 1 {
             self.draw_pass(level, view, &opaque, Pass::Both);
@@ -209,9 +229,18 @@ impl Renderer {
                 self.draw_pass(level, view, &opaque, Pass::Fog);
             }
         }
+        for item in &opaque {
+            for layer in 1..material(item).layers.len() {
+                self.draw_item(level, view, item, Pass::Layer, layer);
+            }
+        }
         // What is seen through comes last, the farthest first.
         clear.sort_by(|a, b| b.distance.total_cmp(&a.distance));
-        self.draw_pass(level, view, &clear, Pass::Base);
+        for item in &clear {
+            for layer in 0..material(item).layers.len() {
+                self.draw_item(level, view, item, Pass::Base, layer);
+            }
+        }
         let surfaces = items.len();
         self.items = items;
         let front = start.elapsed();
@@ -234,6 +263,7 @@ impl Renderer {
     fn collect(&mut self, level: &Level, view: &View) {
         self.frame += 1;
         self.items.clear();
+        self.sky = None;
         let bsp = &level.bsp;
         let from = bsp.leaf_at(view.eye()).and_then(|leaf| leaf.cluster);
         for leaf in &bsp.leafs {
@@ -251,6 +281,11 @@ impl Renderer {
     }
 
     fn add(&mut self, level: &Level, view: &View, face: usize) {
+        if let Some((sky, bounds)) = level.sky_of[face]
+            && view.may_see(bounds)
+        {
+            self.sky = Some(sky);
+        }
         let Some(index) = level.surface_of[face] else { return };
         if self.stamps[index] == self.frame {
             return;
@@ -274,7 +309,8 @@ impl Renderer {
     /// Groups surfaces by texture: those already in texture memory first, so
     /// that they are used before they have to go; then the nearest group.
     fn sort_opaque(&self, level: &Level, items: &mut [Item]) {
-        let texture = |item: &Item| level.materials[level.surfaces[item.surface].material].texture;
+        let texture =
+            |item: &Item| level.materials[level.surfaces[item.surface].material].texture();
         let mut nearest = vec![f32::MAX; level.textures.len()];
         for item in items.iter() {
             let entry = &mut nearest[texture(item)];
@@ -299,23 +335,89 @@ impl Renderer {
     }
 
     fn draw_pass(&mut self, level: &Level, view: &View, items: &[Item], pass: Pass) {
-        for item in items {
-            let surface = &level.surfaces[item.surface];
-            let material = &level.materials[surface.material];
-            if pass == Pass::Light && surface.lightmap.is_none() {
-                continue;
+        items.iter().for_each(|item| self.draw_item(level, view, item, pass, 0));
+    }
+
+    /// Draws a layer of a surface.
+    fn draw_item(&mut self, level: &Level, view: &View, item: &Item, pass: Pass, layer: usize) {
+        let surface = &level.surfaces[item.surface];
+        let material = &level.materials[surface.material];
+        let layer = &material.layers[layer];
+        let lightmap = surface.lightmap.filter(|_| layer.lit);
+        if pass == Pass::Light && lightmap.is_none() {
+            return;
+        }
+        let base = layer.texture(self.time).or(surface.lightmap);
+        if base.is_none() {
+            // A lightmap on a surface that has none.
+            return;
+        }
+        let draws_picture = !matches!(pass, Pass::Light | Pass::Fog);
+        let wanted = State {
+            base: base.filter(|_| draws_picture),
+            lightmap: lightmap.filter(|_| matches!(pass, Pass::Both | Pass::Light)),
+            colored: is_colored(surface, layer),
+            faded: !layer.alpha.is_identity(),
+            mode: layer.mode,
+            two_sided: material.two_sided,
+        };
+        self.set_state(level, pass, wanted);
+        self.draw_surface(level, view, surface, pass, layer);
+    }
+
+    /// The sky is behind everything: first, and compared with nothing.
+    fn draw_sky(&mut self, level: &Level, view: &View, sky: &SkyMaterial) {
+        let opaque = |texture: usize| State {
+            base: Some(texture),
+            lightmap: None,
+            colored: false,
+            faded: false,
+            mode: Mode::Opaque,
+            two_sided: true,
+        };
+        for (side, &texture) in sky.far.iter().flatten().enumerate() {
+            self.set_state(level, Pass::Sky, opaque(texture));
+            self.draw_far(level, view, texture, &[sky::side(side)], [255.0; 4]);
+        }
+        for layer in &sky.clouds {
+            let Some(texture) = layer.texture(self.time) else { continue };
+            let colored = !layer.color.is_identity();
+            let faded = !layer.alpha.is_identity();
+            let state = State { colored, faded, mode: layer.mode, ..opaque(texture) };
+            let [r, g, b] = layer.color.at([255.0; 3], self.time);
+            let [a, ..] = layer.alpha.at([255.0; 3], self.time);
+            let mut clouds = sky::clouds(sky.height);
+            for (at, st) in clouds.iter_mut().flatten() {
+                *st = wave::moved(&layer.moves, *st, *at, self.time);
             }
-            let blended = matches!(material.mode, Mode::Blended(..));
-            let lit_by_vertices = surface.lightmap.is_none() && !blended;
-            let wanted = State {
-                base: (matches!(pass, Pass::Both | Pass::Base)).then_some(material.texture),
-                lightmap: surface.lightmap.filter(|_| matches!(pass, Pass::Both | Pass::Light)),
-                vertex_color: material.vertex_color || lit_by_vertices,
-                mode: material.mode,
-                two_sided: material.two_sided,
-            };
-            self.set_state(level, pass, wanted);
-            self.draw_surface(level, view, surface, pass);
+            self.set_state(level, Pass::Sky, state);
+            self.draw_far(level, view, texture, &clouds, [r, g, b, a]);
+        }
+    }
+
+    /// Rectangles around the eye.
+    fn draw_far(
+        &mut self,
+        level: &Level,
+        view: &View,
+        texture: usize,
+        rectangles: &[[sky::Corner; 4]],
+        [r, g, b, alpha]: [f32; 4],
+    ) {
+        let swapped = self.options.passes != 1;
+        let texture = &level.textures[texture];
+        for rectangle in rectangles {
+            let mut st = rectangle.map(|(_, st)| st);
+            into_texels(&mut st, texture);
+            self.seen.clear();
+            self.projected.clear();
+            for ((way, _), st) in rectangle.iter().zip(st) {
+                let position = crate::math::add(view.eye(), *way);
+                let (light, color, normal) = ([0.0; 2], [r, g, b], *way);
+                let vertex = Vertex { position, st, light, color, alpha, normal };
+                self.push(view, &vertex, swapped);
+            }
+            self.draw_triangles(view, &[0, 1, 2, 0, 2, 3], swapped);
         }
     }
 
@@ -343,7 +445,7 @@ impl Renderer {
             self.call(Call::GrCullMode { mode: if wanted.two_sided { 0 } else { 1 } });
         }
         let combines = |a: &State, b: &State| {
-            (a.lightmap.is_some(), a.vertex_color) == (b.lightmap.is_some(), b.vertex_color)
+            (a.lightmap.is_some(), a.colored, a.faded) == (b.lightmap.is_some(), b.colored, b.faded)
         };
         if differs(combines) {
             self.set_combine(pass, &wanted);
@@ -353,9 +455,13 @@ impl Renderer {
 
     /// The state of a pass.
     fn begin_pass(&mut self, pass: Pass) {
-        let first = matches!(pass, Pass::Both | Pass::Base);
-        self.call(Call::GrDepthBufferFunction { function: if first { 1 } else { 2 } });
-        self.call(Call::GrDepthMask { mask: i32::from(first) });
+        let (function, mask) = match pass {
+            Pass::Both | Pass::Base => (1, 1),
+            Pass::Light | Pass::Fog | Pass::Layer => (2, 0),
+            Pass::Sky => (7, 0),
+        };
+        self.call(Call::GrDepthBufferFunction { function });
+        self.call(Call::GrDepthMask { mask });
         if self.options.fog.is_none() {
             return;
         }
@@ -365,7 +471,7 @@ impl Renderer {
             (Pass::Both, _) => (2, SKY),
             (Pass::Base, 1) => (2, SKY),
             (Pass::Base, _) => (2 | 0x200, SKY),
-            (Pass::Light, _) => (0, SKY),
+            (Pass::Light | Pass::Layer | Pass::Sky, _) => (0, SKY),
             (Pass::Fog, _) => (2 | 0x100, SKY),
         };
         self.call(Call::GrFogMode { mode });
@@ -400,13 +506,15 @@ impl Renderer {
             alpha_destination: 0,
         });
         let (function, value) = match (pass, mode) {
-            (Pass::Both | Pass::Base, Mode::Tested { reference, below: false }) => (6, reference),
-            (Pass::Both | Pass::Base, Mode::Tested { reference, below: true }) => (1, reference),
+            (Pass::Light | Pass::Fog, _) => (7, 0),
+            (_, Mode::Tested { reference, below: false }) => (6, reference),
+            (_, Mode::Tested { reference, below: true }) => (1, reference),
             _ => (7, 0),
         };
         self.call(Call::GrAlphaTestFunction { function });
         self.call(Call::GrAlphaTestReferenceValue { value });
-        if let Mode::Blended(_, destination) = mode {
+        if let (Pass::Both | Pass::Base | Pass::Layer, Mode::Blended(_, destination)) = (pass, mode)
+        {
             self.call(Call::GrDepthMask { mask: 0 });
             self.set_blended_fog(destination);
         }
@@ -435,8 +543,11 @@ impl Renderer {
         } else {
             self.call(Call::GrTexCombineFunction { tmu: 0, function: 1 });
         }
-        let by_vertices = state.vertex_color && matches!(pass, Pass::Both | Pass::Base);
-        self.call(Call::GuColorCombineFunction { function: if by_vertices { 6 } else { 4 } });
+        let draws_picture = !matches!(pass, Pass::Light | Pass::Fog);
+        let colored = state.colored && draws_picture;
+        self.call(Call::GuColorCombineFunction { function: if colored { 6 } else { 4 } });
+        let faded = state.faded && draws_picture;
+        self.call(Call::GuAlphaSource { mode: if faded { 3 } else { 2 } });
     }
 
     /// Points a unit at a texture, which is downloaded where it is missing.
@@ -475,22 +586,81 @@ impl Renderer {
         self.current[unit] = Some(key);
     }
 
-    fn draw_surface(&mut self, level: &Level, view: &View, surface: &Surface, pass: Pass) {
+    fn draw_surface(
+        &mut self,
+        level: &Level,
+        view: &View,
+        surface: &Surface,
+        pass: Pass,
+        layer: &Layer,
+    ) {
         // Where one unit draws, it reads the first pair of coordinates.
         let swapped = self.options.passes != 1 && pass != Pass::Light;
+        let vertices = &level.vertices[surface.vertices.clone()];
+        self.place(level, view, surface, layer, vertices);
+        let points = core::mem::take(&mut self.points);
         self.seen.clear();
         self.projected.clear();
-        for vertex in &level.vertices[surface.vertices.clone()] {
-            let seen = view.see(vertex);
-            self.seen.push(seen);
-            let drawn = if seen.code & CLIP == 0 {
-                view.project(&seen, swapped)
-            } else {
-                GrVertex::default()
+        let by_vertices = surface.lightmap.is_none() && layer.lit;
+        for (vertex, point) in vertices.iter().zip(&points) {
+            let color = match by_vertices {
+                true => vertex.color,
+                false => layer.color.at(vertex.color, self.time),
             };
-            self.projected.push(drawn);
+            let [alpha, ..] = layer.alpha.at([vertex.alpha; 3], self.time);
+            let (position, st) = (point.at, point.st);
+            self.push(view, &Vertex { position, st, color, alpha, ..*vertex }, swapped);
         }
-        for corners in level.corners[surface.corners.clone()].as_chunks::<3>().0 {
+        self.points = points;
+        self.draw_triangles(view, &level.corners[surface.corners.clone()], swapped);
+    }
+
+    /// Where vertices and their coordinates are now, in the board's units.
+    fn place(
+        &mut self,
+        level: &Level,
+        view: &View,
+        surface: &Surface,
+        layer: &Layer,
+        vertices: &[Vertex],
+    ) {
+        let point = |v: &Vertex| Point { at: v.position, normal: v.normal, st: v.st };
+        self.points.clear();
+        self.points.extend(vertices.iter().map(point));
+        let Material { deforms, .. } = &level.materials[surface.material];
+        let camera = view.camera();
+        wave::deform(deforms, &mut self.points, self.time, camera.right, camera.up);
+        let Some(texture) = layer.texture(self.time) else {
+            // The lightmap, whose coordinates are in the board's units.
+            self.points.iter_mut().zip(vertices).for_each(|(point, v)| point.st = v.light);
+            return;
+        };
+        for point in &mut self.points {
+            if layer.environment {
+                point.st = wave::reflected(point.at, point.normal, camera.eye);
+            }
+            point.st = wave::moved(&layer.moves, point.st, point.at, self.time);
+        }
+        let texture = &level.textures[texture];
+        let [s0, t0] = first_repetition(self.points.iter().map(|point| point.st), texture);
+        let [es, et] = texture.extent;
+        for Point { st: [s, t], .. } in &mut self.points {
+            (*s, *t) = ((*s - s0) * es, (*t - t0) * et);
+        }
+    }
+
+    fn push(&mut self, view: &View, vertex: &Vertex, swapped: bool) {
+        let seen = view.see(vertex);
+        self.seen.push(seen);
+        let drawn = match seen.code & CLIP {
+            0 => view.project(&seen, swapped),
+            _ => GrVertex::default(),
+        };
+        self.projected.push(drawn);
+    }
+
+    fn draw_triangles(&mut self, view: &View, corners: &[u32], swapped: bool) {
+        for corners in corners.as_chunks::<3>().0 {
             let [a, b, c] = corners.map(|i| i as usize);
             let codes = [a, b, c].map(|i| self.seen[i].code);
             if codes[0] & codes[1] & codes[2] & OUTSIDE != 0 {
@@ -517,6 +687,28 @@ impl Renderer {
             self.triangles += 1;
         }
     }
+}
+
+/// Whether a layer's picture is multiplied with iterated colours.
+fn is_colored(surface: &Surface, layer: &Layer) -> bool {
+    !layer.color.is_identity() || surface.lightmap.is_none() && layer.lit
+}
+
+/// The whole repetitions that all of some coordinates are beyond: small
+/// coordinates are exact ones.
+fn first_repetition(all: impl Iterator<Item = [f32; 2]>, texture: &Texture) -> [f32; 2] {
+    if texture.clamp {
+        return [0.0; 2];
+    }
+    let least = all.fold([f32::MAX; 2], |[s0, t0], [s, t]| [s0.min(s), t0.min(t)]);
+    least.map(f32::floor)
+}
+
+/// Coordinates in the board's units.
+fn into_texels(st: &mut [[f32; 2]; 4], texture: &Texture) {
+    let [s0, t0] = first_repetition(st.iter().copied(), texture);
+    let [es, et] = texture.extent;
+    *st = st.map(|[s, t]| [(s - s0) * es, (t - t0) * et]);
 }
 
 /// The smallest level there is: 1x1, or the only one.

@@ -8,10 +8,11 @@ use anyhow::{Result, bail};
 use crate::assets::Assets;
 use crate::bsp::{self, Bsp, FLAG_NODRAW, FLAG_SKY, Face, FaceKind, LIGHTMAP_SIDE};
 use crate::entities;
-use crate::math::{Vec3, dot};
+use crate::math::{Vec3, add, dot, length, normalize, sub};
 use crate::patch;
 use crate::picture::{Picture, Texture};
-use crate::script::{self, Mode, Shader, Shaders};
+use crate::script::{self, Deform, Gen, Mode, Move, Shader, Shaders, Sky, Source, Stage};
+use crate::wave::Wave;
 
 /// How far patches may be from their curves, in units of the level (an inch).
 const PATCH_ERROR: f32 = 2.0;
@@ -21,26 +22,79 @@ const PATCH_ERROR: f32 = 2.0;
 pub struct Vertex {
     /// Position.
     pub position: Vec3,
-    /// Coordinates of the material's texture, in the board's units (256 along
-    /// the longer side).
+    /// Coordinates of the material's pictures, 1 a repetition.
     pub st: [f32; 2],
     /// Coordinates of the lightmap, in the board's units.
     pub light: [f32; 2],
     /// Red, green, blue, 0 to 255.
     pub color: [f32; 3],
+    /// 0 to 255.
+    pub alpha: f32,
+    /// Normal.
+    pub normal: Vec3,
+}
+
+/// A stage of a material: see [`Stage`], with textures for pictures.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layer {
+    /// Indices of its textures, shown in turn; none for the lightmap.
+    pub textures: Vec<usize>,
+    /// So many of them a second.
+    pub frequency: f32,
+    /// How it meets what is there.
+    pub mode: Mode,
+    /// Colour that it is multiplied with.
+    pub color: Gen,
+    /// Alpha that it is multiplied with.
+    pub alpha: Gen,
+    /// What moves its coordinates.
+    pub moves: Vec<Move>,
+    /// Coordinates are those of a reflection.
+    pub environment: bool,
+    /// It is multiplied with the lightmap.
+    pub lit: bool,
+}
+
+impl Layer {
+    /// The texture at a time in seconds; `None` for the lightmap.
+    pub fn texture(&self, time: f32) -> Option<usize> {
+        let count = self.textures.len().max(1);
+        self.textures.get((time * self.frequency).max(0.0) as usize % count).copied()
+    }
 }
 
 /// A material.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Material {
-    /// Index of its texture.
-    pub texture: usize,
-    /// How it meets what is there.
-    pub mode: Mode,
-    /// Coloured by the vertices.
-    pub vertex_color: bool,
+    /// Its layers, at least one, the first one drawn first.
+    pub layers: Vec<Layer>,
+    /// What moves its vertices.
+    pub deforms: Vec<Deform>,
     /// Both sides are seen.
     pub two_sided: bool,
+}
+
+impl Material {
+    /// Whether what is behind it is seen through it.
+    pub fn is_blended(&self) -> bool {
+        matches!(self.layers[0].mode, Mode::Blended(..))
+    }
+
+    /// The texture that its surfaces are grouped by.
+    pub fn texture(&self) -> usize {
+        self.layers[0].textures.first().copied().unwrap_or(0)
+    }
+}
+
+/// What is seen behind the level.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SkyMaterial {
+    /// Six textures far away, in the order of [`crate::sky::SIDES`].
+    pub far: Option<[usize; 6]>,
+    /// Height of the clouds.
+    pub height: f32,
+    /// The clouds.
+    pub clouds: Vec<Layer>,
 }
 
 /// A surface: triangles of one material and one lightmap.
@@ -63,10 +117,8 @@ pub struct Surface {
 /// What was left out, and why.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Skipped {
-    /// Sky and surfaces that are not drawn.
+    /// Surfaces that are not drawn.
     pub hidden: usize,
-    /// Billboards.
-    pub billboards: usize,
     /// Patches whose grid is invalid.
     pub invalid: usize,
     /// Materials without a picture; they are drawn in grey.
@@ -80,6 +132,10 @@ pub struct Level {
     pub bsp: Bsp,
     /// The surface of each face, where it has one.
     pub surface_of: Vec<Option<usize>>,
+    /// The sky that a face shows, and its bounds.
+    pub sky_of: Vec<Option<(usize, [Vec3; 2])>>,
+    /// The skies.
+    pub skies: Vec<SkyMaterial>,
     /// Surfaces.
     pub surfaces: Vec<Surface>,
     /// Vertices of all surfaces.
@@ -94,6 +150,43 @@ pub struct Level {
     pub spawns: Vec<(Vec3, f32)>,
     /// What is not drawn.
     pub skipped: Skipped,
+}
+
+/// Half the side of a billboard.
+const BILLBOARD: f32 = 24.0;
+/// The name of a picture that is white.
+const WHITE: &str = "$whiteimage";
+
+/// What a shader of the file is.
+#[derive(Clone, Copy, Debug)]
+enum Drawn {
+    Nothing,
+    Material(usize),
+    Sky(usize),
+}
+
+/// Pictures on their way to textures.
+struct Loader<'a> {
+    assets: &'a mut Assets,
+    largest: usize,
+    /// Textures by picture, clamping and alpha test.
+    known: HashMap<(String, bool, bool), usize>,
+}
+
+/// How far vertices move at most.
+fn reach(deforms: &[Deform], vertices: &[bsp::Vertex]) -> f32 {
+    let most = |wave: &Wave| wave.base.abs() + wave.amplitude.abs();
+    let size = || {
+        let [low, high] = bounds(vertices);
+        length(sub(high, low))
+    };
+    let reaches = deforms.iter().map(|deform| match deform {
+        Deform::Sprite | Deform::Axis => size(),
+        Deform::Wave(_, wave) => most(wave),
+        Deform::Bulge(_, height, _) => height.abs(),
+        Deform::Move(way, wave) => length(*way) * most(wave),
+    });
+    reaches.sum()
 }
 
 /// Reads every script of a game.
@@ -147,6 +240,13 @@ impl Level {
         let pictures = level.textures.len();
         level.textures.extend(bsp.lightmaps.iter().map(|bytes| lightmap_texture(bytes)));
         for face in &bsp.faces {
+            let (first, count) = face.vertices;
+            let bounds = bounds(&bsp.vertices[first..first + count]);
+            let sky = match materials[face.shader] {
+                Drawn::Sky(sky) => Some((sky, bounds)),
+                _ => None,
+            };
+            level.sky_of.push(sky);
             let surface = level.add_face(&bsp, face, &materials, pictures);
             level.surface_of.push(surface);
         }
@@ -154,50 +254,111 @@ impl Level {
         Ok(level)
     }
 
-    /// The material of each shader of the file; `None` for what is not drawn.
+    /// What each shader of the file is.
     fn load_materials(
         &mut self,
         assets: &mut Assets,
         bsp: &Bsp,
         shaders: &Shaders,
         largest: usize,
-    ) -> Vec<Option<(usize, Shader)>> {
-        let mut pictures = HashMap::new();
+    ) -> Vec<Drawn> {
+        let mut loader = Loader { assets, largest, known: HashMap::new() };
         let mut out = Vec::new();
         for reference in &bsp.shaders {
             let shader = shader_of(shaders, reference);
-            if shader.sky || shader.nodraw {
-                out.push(None);
+            if let Some(sky) = &shader.sky {
+                let sky = self.load_sky(&mut loader, sky, &shader.stages);
+                self.skies.push(sky);
+                out.push(Drawn::Sky(self.skies.len() - 1));
                 continue;
             }
-            let file = shader.map.clone().unwrap_or_else(|| reference.name.clone());
-            let tested = matches!(shader.mode, Mode::Tested { .. });
-            let key = (file.to_ascii_lowercase(), shader.clamp, tested);
-            let texture = *pictures.entry(key).or_insert_with(|| {
-                let picture = Picture::find(assets, &file).unwrap_or_else(|| {
-                    self.skipped.missing_pictures += 1;
-                    Picture::missing()
-                });
-                self.textures.push(Texture::new(&picture, largest, shader.clamp, tested));
-                self.textures.len() - 1
-            });
-            let Shader { mode, vertex_color, two_sided, .. } = shader;
-            self.materials.push(Material { texture, mode, vertex_color, two_sided });
-            out.push(Some((self.materials.len() - 1, shader)));
+            if shader.nodraw {
+                out.push(Drawn::Nothing);
+                continue;
+            }
+            let mut layers = self.load_layers(&mut loader, &shader.stages);
+            if layers.is_empty() {
+                let picture = Shader::picture(&reference.name);
+                layers = self.load_layers(&mut loader, &picture.stages);
+            }
+            let Shader { deforms, two_sided, .. } = shader;
+            self.materials.push(Material { layers, deforms, two_sided });
+            out.push(Drawn::Material(self.materials.len() - 1));
         }
         out
+    }
+
+    fn load_layers(&mut self, loader: &mut Loader<'_>, stages: &[Stage]) -> Vec<Layer> {
+        let mut layers = Vec::new();
+        for stage in stages {
+            let tested = matches!(stage.mode, Mode::Tested { .. });
+            let (textures, frequency) = match &stage.source {
+                Source::Pictures(files, frequency) => {
+                    let load = |file: &String| self.load_texture(loader, file, stage.clamp, tested);
+                    (files.iter().map(load).collect(), *frequency)
+                }
+                Source::White => (vec![self.load_texture(loader, WHITE, false, false)], 0.0),
+                Source::Lightmap => (Vec::new(), 0.0),
+                Source::None => continue,
+            };
+            let Stage { mode, color, alpha, environment, lit, .. } = *stage;
+            let moves = stage.moves.clone();
+            layers.push(Layer { textures, frequency, mode, color, alpha, moves, environment, lit });
+        }
+        layers
+    }
+
+    fn load_sky(&mut self, loader: &mut Loader<'_>, sky: &Sky, stages: &[Stage]) -> SkyMaterial {
+        let far = sky.far.as_ref().and_then(|name| {
+            let mut sides = [0; 6];
+            for (side, suffix) in sides.iter_mut().zip(crate::sky::SIDES) {
+                let file = format!("{name}_{suffix}");
+                Picture::find(loader.assets, &file)?;
+                *side = self.load_texture(loader, &file, true, false);
+            }
+            Some(sides)
+        });
+        SkyMaterial { far, height: sky.clouds, clouds: self.load_layers(loader, stages) }
+    }
+
+    /// The texture of a picture.
+    fn load_texture(
+        &mut self,
+        loader: &mut Loader<'_>,
+        file: &str,
+        clamp: bool,
+        tested: bool,
+    ) -> usize {
+        let key = (file.to_ascii_lowercase(), clamp, tested);
+        if let Some(&texture) = loader.known.get(&key) {
+            return texture;
+        }
+        let picture = match file {
+            WHITE => Picture { width: 8, height: 8, pixels: vec![[255; 4]; 64] },
+            _ => Picture::find(loader.assets, file).unwrap_or_else(|| {
+                self.skipped.missing_pictures += 1;
+                Picture::missing()
+            }),
+        };
+        self.textures.push(Texture::new(&picture, loader.largest, clamp, tested));
+        loader.known.insert(key, self.textures.len() - 1);
+        self.textures.len() - 1
     }
 
     fn add_face(
         &mut self,
         bsp: &Bsp,
         face: &Face,
-        materials: &[Option<(usize, Shader)>],
+        materials: &[Drawn],
         pictures: usize,
     ) -> Option<usize> {
-        let Some((material, shader)) = &materials[face.shader] else {
-            self.skipped.hidden += 1;
-            return None;
+        let material = match materials[face.shader] {
+            Drawn::Material(material) => material,
+            Drawn::Sky(_) => return None,
+            Drawn::Nothing => {
+                self.skipped.hidden += 1;
+                return None;
+            }
         };
         let (first, count) = face.vertices;
         let points = &bsp.vertices[first..first + count];
@@ -220,57 +381,73 @@ impl Level {
                     }
                 }
             }
-            FaceKind::Billboard => {
-                self.skipped.billboards += 1;
-                return None;
-            }
+            FaceKind::Billboard => return Some(self.add_billboard(face, material)),
         };
         if vertices.is_empty() || corners.len() < 3 {
             return None;
         }
         let lightmap = face.lightmap.filter(|&index| index < bsp.lightmaps.len());
-        let blended = matches!(shader.mode, Mode::Blended(..));
-        let plane = (face.kind == FaceKind::Polygon && !shader.two_sided)
+        let Material { two_sided, ref deforms, .. } = self.materials[material];
+        let plane = (face.kind == FaceKind::Polygon && !two_sided && deforms.is_empty())
             .then(|| (face.normal, dot(face.normal, vertices[0].position)));
-        self.add_surface(
-            Surface {
-                material: *material,
-                lightmap: lightmap.filter(|_| !blended).map(|index| pictures + index),
-                vertices: 0..0,
-                corners: 0..0,
-                bounds: bounds(&vertices),
-                plane,
-            },
-            shader,
-            &vertices,
-            &corners,
-        )
+        let reach = reach(deforms, &vertices);
+        let bounds = bounds(&vertices);
+        let surface = Surface {
+            material,
+            lightmap: lightmap.map(|index| pictures + index),
+            vertices: 0..0,
+            corners: 0..0,
+            bounds: [bounds[0].map(|v| v - reach), bounds[1].map(|v| v + reach)],
+            plane,
+        };
+        Some(self.add_surface(surface, &vertices, &corners))
+    }
+
+    /// A square that turns to the viewer and adds light of the face's colour.
+    fn add_billboard(&mut self, face: &Face, material: usize) -> usize {
+        let mut sprite = self.materials[material].clone();
+        (sprite.deforms, sprite.two_sided) = (vec![Deform::Sprite], true);
+        sprite.layers.truncate(1);
+        (sprite.layers[0].color, sprite.layers[0].mode) = (Gen::Vertex, Mode::Blended(4, 4));
+        sprite.layers[0].lit = false;
+        self.materials.push(sprite);
+        let (center, color) = face.billboard;
+        // As bright as light is stored: a quarter.
+        let [r, g, b] = color.map(|c| (c.clamp(0.0, 1.0) * 63.0) as u8);
+        let corner = |[s, t]: [f32; 2]| {
+            let out = [s * 2.0 - 1.0, 0.0, 1.0 - t * 2.0].map(|v| v * BILLBOARD);
+            let position = add(center, out);
+            bsp::Vertex { position, st: [s, t], color: [r, g, b, 255], ..bsp::Vertex::default() }
+        };
+        let vertices = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(corner);
+        let far = BILLBOARD * 1.5;
+        let surface = Surface {
+            material: self.materials.len() - 1,
+            lightmap: None,
+            vertices: 0..0,
+            corners: 0..0,
+            bounds: [center.map(|v| v - far), center.map(|v| v + far)],
+            plane: None,
+        };
+        self.add_surface(surface, &vertices, &[0, 1, 2, 0, 2, 3])
     }
 
     fn add_surface(
         &mut self,
         mut surface: Surface,
-        shader: &Shader,
         vertices: &[bsp::Vertex],
         corners: &[u32],
-    ) -> Option<usize> {
-        let [es, et] = self.textures[self.materials[surface.material].texture].extent;
-        let coordinates = |v: &bsp::Vertex| [v.st[0] * shader.scale[0], v.st[1] * shader.scale[1]];
-        // Whole repetitions are taken off: small coordinates are exact ones.
-        let least = |axis: usize| {
-            let least = vertices.iter().map(|v| coordinates(v)[axis]).fold(f32::MAX, f32::min);
-            if shader.clamp { 0.0 } else { least.floor() }
-        };
-        let (s0, t0) = (least(0), least(1));
+    ) -> usize {
         let start = self.vertices.len();
         self.vertices.extend(vertices.iter().map(|v| {
-            let [s, t] = coordinates(v);
-            let [r, g, b, _] = v.color;
+            let [r, g, b, a] = v.color;
             Vertex {
                 position: v.position,
-                st: [(s - s0) * es, (t - t0) * et],
+                st: v.st,
                 light: v.light.map(|c| c * 256.0),
                 color: brighten([r, g, b]).map(f32::from),
+                alpha: f32::from(a),
+                normal: normalize(v.normal, [0.0, 0.0, 1.0]),
             }
         }));
         surface.vertices = start..self.vertices.len();
@@ -278,7 +455,7 @@ impl Level {
         self.corners.extend_from_slice(&corners[..corners.len() / 3 * 3]);
         surface.corners = start..self.corners.len();
         self.surfaces.push(surface);
-        Some(self.surfaces.len() - 1)
+        self.surfaces.len() - 1
     }
 
     /// Triangles of all surfaces.
@@ -296,8 +473,10 @@ pub fn level_names(assets: &Assets) -> Vec<String> {
 /// What a script says of a material, or else its picture as it is.
 fn shader_of(shaders: &Shaders, reference: &bsp::ShaderRef) -> Shader {
     let known = shaders.get(&reference.name.to_ascii_lowercase()).cloned();
-    let mut shader = known.unwrap_or(Shader { scale: [1.0; 2], ..Shader::default() });
-    shader.sky |= reference.flags & FLAG_SKY != 0;
+    let mut shader = known.unwrap_or_else(|| Shader::picture(&reference.name));
+    if reference.flags & FLAG_SKY != 0 {
+        shader.sky.get_or_insert_default();
+    }
     shader.nodraw |= reference.flags & FLAG_NODRAW != 0;
     shader
 }

@@ -18,5 +18,8 @@ pub mod output;
 pub mod patch;
 pub mod picture;
 pub mod script;
+pub mod sky;
 pub mod synthetic;
 pub mod view;
+pub mod wave;
+pub mod way;

@@ -146,10 +146,10 @@ fn run(options: &Options) -> Result<bool> {
         level.spawns.len()
     );
     let skipped = &level.skipped;
-    if skipped.billboards + skipped.invalid + skipped.missing_pictures > 0 {
+    if skipped.invalid + skipped.missing_pictures > 0 {
         eprintln!(
-            "not drawn: {} billboards, {} invalid surfaces; in grey: {} pictures not found",
-            skipped.billboards, skipped.invalid, skipped.missing_pictures
+            "not drawn: {} invalid surfaces; in grey: {} pictures not found",
+            skipped.invalid, skipped.missing_pictures
         );
     }
     let passes = if options.compare { vec![1, 2] } else { vec![options.passes] };
@@ -162,7 +162,7 @@ fn run(options: &Options) -> Result<bool> {
 
 /// Draws the flight. False where misuse was found.
 fn fly(options: &Options, level: &Level, renderers: &mut [Renderer]) -> Result<bool> {
-    let path = Path::new(&level.spawns, [0.0, 0.0, 64.0]);
+    let path = Path::new(&level.bsp, &level.spawns, [0.0, 0.0, 64.0]);
     let (from, to) = part(&options.part)?;
     let mut output = Output::new(options.out.as_deref(), options.video.as_deref(), options.gamma)?;
     let (width, height) = renderers[0].size();
@@ -173,7 +173,7 @@ fn fly(options: &Options, level: &Level, renderers: &mut [Renderer]) -> Result<b
         let t = from + (to - from) * frame as f32 / options.frames as f32;
         let view = View::new(path.camera(t), width, height);
         for renderer in renderers.iter_mut() {
-            stats.push(renderer.draw(level, &view));
+            stats.push(renderer.draw(level, &view, frame as f32 / 60.0));
             for problem in renderer.problems() {
                 eprintln!("fillrate-level: {problem}");
                 clean = false;

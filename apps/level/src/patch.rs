@@ -25,6 +25,7 @@ fn curve([a, b, c]: [Vertex; 3], t: f32) -> Vertex {
         position: add(add(scale(a.position, wa), scale(b.position, wb)), scale(c.position, wc)),
         st: two(a.st, b.st, c.st),
         light: two(a.light, b.light, c.light),
+        normal: add(add(scale(a.normal, wa), scale(b.normal, wb)), scale(c.normal, wc)),
         color: core::array::from_fn(channel),
     }
 }

@@ -28,12 +28,42 @@ synth/glow
     {
         clampmap synth/glow.tga
         blendFunc add
+        rgbGen wave sin 0.8 0.2 0 0.5
+        tcMod stretch sin 1 0.1 0 0.5
+    }
+}
+synth/metal
+{
+    {
+        map $lightmap
+    }
+    {
+        map synth/metal.tga
+        blendFunc filter
+    }
+    {
+        map synth/shine.tga
+        blendFunc add
+        tcGen environment
+        rgbGen const ( 0.5 0.5 0.5 )
     }
 }
 synth/sky
 {
     surfaceparm sky
     skyparms - 512 -
+    {
+        map synth/cloud.tga
+        tcMod scale 2 2
+        tcMod scroll 0.02 0.01
+    }
+    {
+        map synth/cloud.tga
+        blendFunc add
+        tcMod scale 3 3
+        tcMod scroll 0.05 0.02
+        rgbGen const ( 0.4 0.35 0.3 )
+    }
 }
 synth/hidden
 {
@@ -75,6 +105,8 @@ pub fn assets() -> Assets {
         ("metal", metal),
         ("grate", grate),
         ("glow", glow),
+        ("cloud", cloud),
+        ("shine", shine),
     ] {
         assets.insert(&format!("synth/{name}.tga"), tga(picture));
     }
@@ -299,19 +331,75 @@ pub fn level() -> Vec<u8> {
     let first = b.vertex_count;
     b.vertex([0.0, 0.0, 90.0], [0.0; 2], [0.0; 2], [0.0, 0.0, 1.0]);
     b.face(1, (GLOW, 4), first, &[], -1, [0.0; 3], [0; 2]);
+    // Where it is, and its colour.
+    let mut billboard = Vec::new();
+    put_floats(&mut billboard, &[256.0, 160.0, 180.0, 0.5, 0.7, 1.0]);
+    let at = b.faces.len() - 104 + 12 * 4;
+    b.faces[at..at + billboard.len()].copy_from_slice(&billboard);
     file(&b)
+}
+
+/// What is solid in each room: boxes, as lowest and highest corner. Floors and
+/// ceilings, outer walls, and the walls around doorways.
+fn boxes(room: usize) -> Vec<[Vec3; 2]> {
+    let x0 = -512.0 + 512.0 * room as f32;
+    let x1 = x0 + 512.0;
+    let mut out = vec![
+        [[x0, -256.0, -16.0], [x1, 256.0, 0.0]],
+        [[x0, -256.0, TOP], [x1, 256.0, TOP + 16.0]],
+        [[x0, -272.0, 0.0], [x1, -256.0, TOP]],
+        [[x0, 256.0, 0.0], [x1, 272.0, TOP]],
+    ];
+    for (x, door) in [(x0, room > 0), (x1, room < 2)] {
+        let wall = |y: [f32; 2], z: [f32; 2]| [[x - 4.0, y[0], z[0]], [x + 4.0, y[1], z[1]]];
+        if door {
+            out.push(wall([-256.0, -64.0], [0.0, TOP]));
+            out.push(wall([64.0, 256.0], [0.0, TOP]));
+            out.push(wall([-64.0, 64.0], [128.0, TOP]));
+        } else {
+            out.push(wall([-256.0, 256.0], [0.0, TOP]));
+        }
+    }
+    match room {
+        1 => out.push([[216.0, -40.0, 0.0], [296.0, 40.0, TOP]]),
+        2 => out.push([[704.0, -64.0, 0.0], [832.0, 64.0, 120.0]]),
+        _ => {}
+    }
+    out
+}
+
+/// Adds the boxes' planes behind the two of the tree, their sides, and which
+/// leaf has which.
+fn bodies(lumps: &mut [Vec<u8>; lump::COUNT]) {
+    let (mut planes, mut brushes) = (2, 0);
+    for room in 0..3 {
+        for [low, high] in boxes(room) {
+            put(&mut lumps[lump::BRUSHES], &[planes - 2, 6, BRICK]);
+            put(&mut lumps[lump::LEAF_BRUSHES], &[brushes]);
+            for axis in 0..3 {
+                for (corner, sign) in [(high, 1.0), (low, -1.0)] {
+                    let mut plane = [0.0; 4];
+                    (plane[axis], plane[3]) = (sign, corner[axis] * sign);
+                    put_floats(&mut lumps[lump::PLANES], &plane);
+                    put(&mut lumps[lump::BRUSH_SIDES], &[planes, BRICK]);
+                    planes += 1;
+                }
+            }
+            brushes += 1;
+        }
+    }
 }
 
 fn leafs(b: &Builder) -> (Vec<u8>, Vec<u8>) {
     let (mut leafs, mut leaf_faces) = (Vec::new(), Vec::new());
-    let mut first = 0;
+    let (mut first, mut first_body) = (0, 0);
     for (cluster, faces) in b.rooms.iter().enumerate() {
         let x = -512 + 512 * cluster as i32;
         let count = faces.len() as i32;
-        put(
-            &mut leafs,
-            &[cluster as i32, 0, x, -256, 0, x + 512, 256, TOP as i32, first, count, 0, 0],
-        );
+        put(&mut leafs, &[cluster as i32, 0, x, -256, 0, x + 512, 256, TOP as i32, first, count]);
+        let bodies = boxes(cluster).len() as i32;
+        put(&mut leafs, &[first_body, bodies]);
+        first_body += bodies;
         put(&mut leaf_faces, faces);
         first += count;
     }
@@ -328,6 +416,7 @@ fn file(b: &Builder) -> Vec<u8> {
         lumps[lump::SHADERS].extend(bytes);
     }
     put_floats(&mut lumps[lump::PLANES], &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 512.0]);
+    bodies(&mut lumps);
     // Each node: its plane, what is in front, what is behind; then its box.
     put(&mut lumps[lump::NODES], &[0, 1, !0, -512, -256, 0, 1024, 256, TOP as i32]);
     put(&mut lumps[lump::NODES], &[1, !2, !1, 0, -256, 0, 1024, 256, TOP as i32]);
@@ -393,6 +482,31 @@ fn grate(x: usize, y: usize) -> [u8; 4] {
     let bar = x % 32 < 6 || y % 32 < 6;
     let [r, g, b, _] = shade([120.0, 110.0, 96.0], 0.8 + 0.3 * noise(x, y));
     [r, g, b, if bar { 255 } else { 0 }]
+}
+
+/// Noise of four sizes, the same beyond the edges.
+fn cloud(x: usize, y: usize) -> [u8; 4] {
+    let mut sum = 0.0;
+    for octave in 0..4u32 {
+        let (count, cell) = (4usize << octave, 32usize >> octave);
+        let smooth = |v: usize| {
+            let t = (v % cell) as f32 / cell as f32;
+            (v / cell, t * t * (3.0 - 2.0 * t))
+        };
+        let ((i, u), (j, v)) = (smooth(x), smooth(y));
+        let at = |i: usize, j: usize| noise(i % count + 31 * count, j % count);
+        let across = |j: usize| at(i, j) * (1.0 - u) + at(i + 1, j) * u;
+        sum += (across(j) * (1.0 - v) + across(j + 1) * v) / (2 << octave) as f32;
+    }
+    let dense = ((sum - 0.4) * 3.0).clamp(0.0, 1.0);
+    let [r, g, b] = mix([58.0, 92.0, 150.0], [222.0, 220.0, 214.0], dense);
+    [r as u8, g as u8, b as u8, 255]
+}
+
+/// What shining things reflect: bright above, dark below.
+fn shine(x: usize, y: usize) -> [u8; 4] {
+    let bright = ((96.0 - y as f32) / 64.0).clamp(0.0, 1.0).powi(2);
+    shade([200.0, 210.0, 230.0], bright * (0.8 + 0.2 * noise(x / 8, y / 8)))
 }
 
 fn glow(x: usize, y: usize) -> [u8; 4] {

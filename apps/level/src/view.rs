@@ -49,6 +49,8 @@ pub struct Seen {
     pub light: [f32; 2],
     /// Red, green, blue.
     pub color: [f32; 3],
+    /// Alpha.
+    pub alpha: f32,
     /// Outside which planes: see [`OUTSIDE`] and [`CLIP`].
     pub code: u16,
 }
@@ -76,6 +78,11 @@ impl View {
             slope: [1.0, height / width],
             guard: GUARD / focal,
         }
+    }
+
+    /// Where the viewer is and looks.
+    pub fn camera(&self) -> Camera {
+        self.camera
     }
 
     /// The eye.
@@ -113,7 +120,8 @@ impl View {
         let Camera { eye, forward, right, up } = self.camera;
         let d = sub(v.position, eye);
         let at = [dot(d, right), dot(d, up), dot(d, forward)];
-        Seen { at, st: v.st, light: v.light, color: v.color, code: self.code(at) }
+        let Vertex { st, light, color, alpha, .. } = *v;
+        Seen { at, st, light, color, alpha, code: self.code(at) }
     }
 
     fn code(&self, [x, y, z]: Vec3) -> u16 {
@@ -169,7 +177,8 @@ impl View {
         let three = |a: Vec3, b: Vec3| core::array::from_fn(|i| mix(a[i], b[i]));
         let at = three(a.at, b.at);
         let (st, light) = (two(a.st, b.st), two(a.light, b.light));
-        Seen { at, st, light, color: three(a.color, b.color), code: self.code(at) }
+        let (color, alpha) = (three(a.color, b.color), mix(a.alpha, b.alpha));
+        Seen { at, st, light, color, alpha, code: self.code(at) }
     }
 
     /// The vertex on the screen, with the lightmap's coordinates for the
@@ -188,7 +197,7 @@ impl View {
             r: v.color[0],
             g: v.color[1],
             b: v.color[2],
-            a: 255.0,
+            a: v.alpha,
             oow,
             tmuvtx: [tmu(first), tmu(second)],
             ..GrVertex::default()
@@ -211,7 +220,8 @@ mod tests {
     }
 
     fn vertex(position: Vec3) -> Vertex {
-        Vertex { position, st: [position[0], 0.0], light: [0.0; 2], color: [255.0; 3] }
+        let (light, color, normal) = ([0.0; 2], [255.0; 3], [0.0, 0.0, 1.0]);
+        Vertex { position, st: [position[0], 0.0], light, color, alpha: 255.0, normal }
     }
 
     #[test]

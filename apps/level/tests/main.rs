@@ -35,7 +35,7 @@ fn looking(eye: [f32; 3], x: f32) -> Camera {
 }
 
 fn picture(renderer: &mut Renderer, level: &Level, camera: Camera) -> Shown {
-    renderer.draw(level, &View::new(camera, 320, 240));
+    renderer.draw(level, &View::new(camera, 320, 240), 1.25);
     assert_eq!(renderer.problems(), Vec::<String>::new());
     renderer.shown().expect("a frame")
 }
@@ -46,9 +46,11 @@ fn everything_of_the_file_is_read() {
     assert_eq!(level.spawns.len(), 6);
     assert_eq!(level.bsp.faces.len(), 33);
     assert_eq!(level.bsp.lightmaps.len(), 2);
-    assert_eq!(level.textures.len(), 6 + 2);
-    // The sky, the hidden wall; the billboard.
-    assert_eq!((level.skipped.hidden, level.skipped.billboards), (2, 1));
+    assert_eq!(level.textures.len(), 8 + 2);
+    assert_eq!((level.skies.len(), level.skies[0].clouds.len()), (1, 2));
+    // The hidden wall; the sky is no surface.
+    assert_eq!(level.skipped.hidden, 1);
+    assert_eq!(level.surfaces.len(), 31);
     assert_eq!((level.skipped.invalid, level.skipped.missing_pictures), (0, 0));
 }
 
@@ -64,9 +66,9 @@ fn rooms_that_are_not_visible_are_not_collected() {
     let level = level();
     let mut renderer = renderer(&level, 1, None, 1);
     let view = View::new(looking([-300.0, 0.0, 50.0], 1.0), 320, 240);
-    let near = renderer.draw(&level, &view).surfaces;
+    let near = renderer.draw(&level, &view, 1.25).surfaces;
     let view = View::new(looking([100.0, 0.0, 50.0], 1.0), 320, 240);
-    let far = renderer.draw(&level, &view).surfaces;
+    let far = renderer.draw(&level, &view, 1.25).surfaces;
     assert!(near > 8 && far > 8, "{near} {far}");
     let third: BTreeSet<usize> =
         level.bsp.leaf_faces(&level.bsp.leafs[2]).iter().copied().collect();
@@ -93,7 +95,7 @@ fn both_ways_of_drawing_agree() {
     let level = level();
     for fog in [None, Some(0.002)] {
         let (mut one, mut two) = (renderer(&level, 1, fog, 1), renderer(&level, 2, fog, 1));
-        let path = Path::new(&level.spawns, [0.0; 3]);
+        let path = Path::new(&level.bsp, &level.spawns, [0.0; 3]);
         let mut difference = Difference::default();
         for i in 0..8 {
             let camera = path.camera(i as f32 / 8.0);
