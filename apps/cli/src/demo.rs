@@ -8,6 +8,8 @@ use anyhow::{Context, Result, bail};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 
+use fillrate_player::{Frame, Pixels};
+
 use crate::Outcome;
 use crate::gallery::{self, Picture};
 use crate::library;
@@ -28,6 +30,10 @@ pub struct DemoArgs {
     /// The folder with `examples` and `include`
     #[arg(long, value_name = "DIR")]
     source: Option<PathBuf>,
+    /// Folder of the game whose level is shown; default: level-data, else a
+    /// level made here
+    #[arg(long, value_name = "DIR")]
+    level_data: Option<PathBuf>,
     /// Print one JSON object a scene instead of a table
     #[arg(long)]
     json: bool,
@@ -37,7 +43,7 @@ pub struct DemoArgs {
 pub fn demo(args: &DemoArgs) -> Result<Outcome> {
     let source = source_folder(args.source.as_deref())?;
     let scenes = scenes(&source, &args.only)?;
-    if scenes.is_empty() {
+    if scenes.is_empty() && !LEVEL.starts_with(&args.only) {
         bail!("no example starts with '{}'", args.only);
     }
     std::fs::create_dir_all(&args.out)
@@ -52,6 +58,9 @@ pub fn demo(args: &DemoArgs) -> Result<Outcome> {
         progress.inc(1);
     }
     progress.finish_and_clear();
+    if LEVEL.starts_with(&args.only) {
+        pictures.push(fly(args, &source)?);
+    }
     gallery::write_page(&args.out, &pictures)?;
     report(args, &pictures)?;
     Ok(Outcome::Same)
@@ -168,6 +177,39 @@ fn draw(args: &DemoArgs, scene: &Scene, program: &Path, build: &Path) -> Result<
     })
 }
 
+/// The scene that flies through a level.
+const LEVEL: &str = "level";
+/// Its frames.
+const LEVEL_FRAMES: usize = 90;
+
+/// Flies through a level: one that `scripts/fetch-level.sh` fetched, whose name
+/// the picture then has, or else the one that the viewer makes.
+fn fly(args: &DemoArgs, source: &Path) -> Result<Picture> {
+    let fetched = args.level_data.clone().unwrap_or_else(|| source.join("level-data"));
+    let data = (args.level_data.is_some() || fetched.is_dir()).then_some(fetched.as_path());
+    let device = args.settings.device();
+    let (threads, simd) = (device.threads, device.level.to_string());
+    let flight = fillrate_level::flight::fly(data, device, LEVEL_FRAMES)?;
+    let name = if data.is_some() { flight.name } else { LEVEL.to_string() };
+    let (width, height) = (flight.shown.width, flight.shown.height);
+    let frame = Frame::new(width, height, Pixels::Rgb565(flight.shown.pixels))?;
+    let file = format!("{name}.png");
+    frame.save_png(&args.out.join(&file))?;
+    Ok(Picture {
+        name,
+        file,
+        width,
+        height,
+        hash: format!("{:016x}", frame.hash()),
+        frames: flight.frames,
+        triangles: flight.triangles,
+        pixels: flight.fragments,
+        seconds: flight.seconds,
+        threads,
+        simd,
+    })
+}
+
 /// A bar on a terminal, nothing in a pipe.
 fn progress_bar(length: u64) -> ProgressBar {
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}");
@@ -181,13 +223,17 @@ fn report(args: &DemoArgs, pictures: &[Picture]) -> Result<()> {
         }
         return Ok(());
     }
-    println!("{:14} {:16} {:>7} {:>10} {:>9}", "scene", "hash", "frames", "triangles", "Mpixel/s");
+    println!(
+        "{:14} {:16} {:>7} {:>8} {:>10} {:>9}",
+        "scene", "hash", "frames", "frames/s", "triangles", "Mpixel/s"
+    );
     for p in pictures {
         println!(
-            "{:14} {:16} {:>7} {:>10} {:>9.1}",
+            "{:14} {:16} {:>7} {:>8.0} {:>10} {:>9.1}",
             p.name,
             p.hash,
             p.frames,
+            p.frame_rate(),
             p.triangles,
             p.rate()
         );

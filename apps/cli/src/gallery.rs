@@ -34,6 +34,11 @@ pub struct Picture {
 }
 
 impl Picture {
+    /// Frames a second.
+    pub fn frame_rate(&self) -> f64 {
+        if self.seconds > 0.0 { self.frames as f64 / self.seconds } else { 0.0 }
+    }
+
     /// Millions of fragments a second.
     pub fn rate(&self) -> f64 {
         if self.seconds > 0.0 { self.pixels as f64 / self.seconds * 1e-6 } else { 0.0 }
@@ -64,7 +69,8 @@ pub fn write_page(folder: &Path, pictures: &[Picture]) -> Result<()> {
         writeln!(
             page,
             "<figure><img src=\"{}\" alt=\"{}\" width=\"{}\" height=\"{}\"><figcaption><b>{}</b> \
-             <code>{}</code><br><small>{} frames, {} triangles, {:.1} Mpixel/s, {} threads, {}\
+             <code>{}</code><br><small>{} frames, {:.0} frames/s, {} triangles, {:.1} Mpixel/s, \
+             {} threads, {}\
              </small></figcaption></figure>",
             p.file,
             p.name,
@@ -73,6 +79,7 @@ pub fn write_page(folder: &Path, pictures: &[Picture]) -> Result<()> {
             p.name,
             p.hash,
             p.frames,
+            p.frame_rate(),
             p.triangles,
             p.rate(),
             p.threads,

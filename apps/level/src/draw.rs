@@ -194,6 +194,11 @@ impl Renderer {
         self.glide.shown()
     }
 
+    /// Fragments drawn so far.
+    pub fn fragments(&mut self) -> u64 {
+        self.glide.total_counters().pixels_out
+    }
+
     /// What checking found.
     pub fn problems(&mut self) -> Vec<String> {
         self.glide.take_reports().iter().map(ToString::to_string).collect()

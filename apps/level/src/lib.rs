@@ -11,6 +11,7 @@ pub mod bsp;
 pub mod camera;
 pub mod draw;
 pub mod entities;
+pub mod flight;
 pub mod level;
 pub mod math;
 pub mod memory;
