@@ -67,7 +67,10 @@ fn gallery(variables: &[(&str, String)]) -> BTreeMap<String, String> {
 #[test]
 fn gallery_is_as_it_was() {
     let file = root().join("tests/golden/gallery.json");
-    let drawn = gallery(&[]);
+    let mut drawn = gallery(&[]);
+    // The viewer's camera takes sines from the system: its picture is no
+    // other machine's.
+    assert!(drawn.remove("level").is_some());
     assert!(drawn.len() >= 25, "{drawn:?}");
     if std::env::var_os("BLESS").is_some() {
         let text = serde_json::to_string_pretty(&drawn).expect("hashes are text");

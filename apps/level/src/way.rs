@@ -175,7 +175,8 @@ pub fn smooth(bsp: &Bsp, corners: &[Vec3]) -> Vec<Vec3> {
             let count = points.len();
             let (last, next) = (points[(i + count - 1) % count], points[(i + 1) % count]);
             let wanted = mix(points[i], scale(add(last, next), 0.5), 0.5);
-            if !is_free(bsp, points[i]) || is_free(bsp, wanted) {
+            let tight = !is_free(bsp, points[i]) && !bsp.is_solid(wanted);
+            if tight || is_free(bsp, wanted) {
                 points[i] = wanted;
             }
         }
