@@ -102,8 +102,9 @@ impl Crew {
         // SAFETY: only the lifetime changes. `work` outlives the round: no helper
         // takes it once it is removed below, and this waits for those that did,
         // also where the caller's own part panics.
-        let lent =
-            unsafe { core::mem::transmute::<*const (dyn Fn(usize) + Sync + '_), *const Work>(work) };
+        let lent = unsafe {
+            core::mem::transmute::<*const (dyn Fn(usize) + Sync + '_), *const Work>(work)
+        };
         let mut state = self.shared.lock();
         state.work = Some(Lent(lent));
         self.shared.round.fetch_add(1, Ordering::Relaxed);

@@ -54,6 +54,25 @@ pub fn prefetch<T>(value: &T) {
     let _ = value;
 }
 
+/// Truncates floats within the range of `i32` toward zero; others give no fixed
+/// value. Rust's conversion, which limits them, is many instructions a float.
+#[inline(always)]
+pub fn truncate(values: [f32; 4]) -> [i32; 4] {
+    #[cfg(target_arch = "x86_64")]
+    {
+        use core::arch::x86_64::{_mm_cvttps_epi32, _mm_loadu_ps, _mm_storeu_si128};
+        let mut out = [0; 4];
+        // SAFETY: SSE2 is part of x86-64; both arrays hold 16 bytes.
+        unsafe {
+            let lanes = _mm_cvttps_epi32(_mm_loadu_ps(values.as_ptr()));
+            _mm_storeu_si128(out.as_mut_ptr().cast(), lanes);
+        }
+        out
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    values.map(|value| value as i32)
+}
+
 /// The index of the last entry of a table that `load_pairs` reads, or the
 /// greatest index there is. The unchecked loads rely on it.
 ///

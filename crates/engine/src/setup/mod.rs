@@ -11,7 +11,7 @@ pub(crate) use launch::{Launch, Z};
 pub use palette::{PALETTE_COORDINATE, PalettePrimitive, PaletteVertex};
 pub(crate) use palette::{Plane32, Shape, Texels, prepare_palette};
 pub use planes::MAX_SCALE;
-pub(crate) use planes::{Edge, Narrow, Plane64, Screen, Triangle, Triangles, prepare};
+pub(crate) use planes::{Edge, Narrow, Plane64, PlaneF, Screen, Triangle, Triangles, prepare};
 pub use registers::{Param, Registers, WideParam};
 pub use sst1::{Cull, Outcome, extended_triangle, triangle};
 pub(crate) use sst1::{Fate, set_up};

@@ -7,14 +7,14 @@
 
 use super::UnitPlan;
 use crate::log2::{log2_8, log2_8_int, smallest_with_log2_8};
-use crate::setup::Plane64;
+use crate::setup::PlaneF;
 use crate::state::DITHER_4X4;
 
 /// Level of detail at w = 1, of planes with 32 fraction bits; far below any
 /// limit where s and t are constant.
 #[inline(always)]
-pub(crate) fn lod_base(s: &Plane64, t: &Plane64) -> i32 {
-    let length = |s: i64, t: i64| (s as f64) * (s as f64) + (t as f64) * (t as f64);
+pub(crate) fn lod_base(s: &PlaneF, t: &PlaneF) -> i32 {
+    let length = |s: f64, t: f64| s * s + t * t;
     let longest = length(s.dx, t.dx).max(length(s.dy, t.dy));
     if longest > 0.0 { log2_8(longest) >> 1 } else { -0x8000 }
 }
@@ -66,10 +66,11 @@ mod tests {
 
     #[test]
     fn one_texel_a_pixel_is_level_0() {
-        let plane = |dx: i64| Plane64 { c: 0, dx, dy: 0 };
-        let base = lod_base(&plane(1 << 32), &plane(0));
+        let plane = |dx: f64| PlaneF { start: 0.0, dx, dy: 0.0 };
+        let one = (1u64 << 32) as f64;
+        let base = lod_base(&plane(one), &plane(0.0));
         assert_eq!(base - log2_8_int(1 << 32), 0);
-        let base = lod_base(&plane(4 << 32), &plane(0));
+        let base = lod_base(&plane(4.0 * one), &plane(0.0));
         assert_eq!(base - log2_8_int(1 << 32), 0x200);
     }
 }
