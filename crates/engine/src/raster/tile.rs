@@ -12,7 +12,8 @@ use crate::device::arena::{Arena, BatchState, Clear, Pixel, Run};
 use crate::kernel::block::{Block, SLOTS, STAMP, Slot, Strip};
 use crate::kernel::depth::{DepthTest, early, test_strip};
 use crate::kernel::{
-    ColorTile, Pass, Pipeline, StageList, StripFn, Tile, run, stage_list, strip_function,
+    self as stages, ColorTile, Pass, Pipeline, StageList, StripFn, Tile, run, stage_list,
+    strip_function,
 };
 use crate::setup::{Shape, Triangle, Triangles};
 use crate::state::{Dither, Rect};
@@ -470,7 +471,8 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             aux.include(0, 0xffff);
         }
         let y = run.y & !3;
-        let none = Triangles::default();
+        let Some(current) = &self.current else { return };
+        let pass = Pass { pipeline: current.pipeline, triangles: &Triangles::default() };
         for x in (from & !3..to).step_by(4) {
             let row = (run.y & 3) * 4;
             let mut mask = 0;
@@ -485,8 +487,10 @@ impl<'a, S: Simd> TilePainter<'a, S> {
                 let at = stamp_index(x - target.rect.x0, y - target.rect.y0, self.grid.bits);
                 let slot = Slot { triangle: 0, at: at as u32, x: x as i32, y: y as i32 };
                 // One stamp a block: the fragments are already in its lanes.
-                self.queue.push(slot, mask as u16);
-                self.finish(&none, target);
+                (self.block.slots[0], self.block.count) = (slot, 1);
+                self.block.live = u64::from(mask);
+                let mut tile = target.tile(self.format, &mut self.counters);
+                stages::run(self.s, &self.list, &mut self.block, &pass, &mut tile);
             }
         }
     }

@@ -142,8 +142,8 @@ pub(crate) struct Triangle {
     pub state: u32,
     /// Edges in use.
     pub edge_count: u8,
-    /// Whether w, and s, t, w of the units in use, are small enough over
-    /// `bounds` to be iterated in floats exactly.
+    /// Whether w, and s, t, w of the units in use, are small enough over the
+    /// stamps of `bounds` to be iterated in floats exactly.
     pub exact: bool,
     /// Whether three edges alone tell its pixels, those beyond the screen's end
     /// included, and it is so small that 32 bits hold their values at and around
@@ -217,11 +217,16 @@ impl Triangles {
     #[inline(always)]
     pub fn unit(&self, triangle: &Triangle, unit: usize) -> [Plane64; 3] {
         let first = wide_lane(unit, 0).1;
-        let plane = |lane: usize| self.plane(triangle, unit, lane);
-        [plane(first), plane(first + 1), plane(first + 2)]
+        [0, 1, 2].map(|param| self.plane(triangle, unit, first + param))
     }
 
-    /// The same of an exact triangle.
+    /// w of a unit in use.
+    #[inline(always)]
+    pub fn unit_w(&self, triangle: &Triangle, unit: usize) -> Plane64 {
+        self.plane(triangle, unit, wide_lane(unit, 2).1)
+    }
+
+    /// s, t and w of a unit of an exact triangle.
     #[inline(always)]
     pub fn exact_unit(&self, triangle: &Triangle, unit: usize) -> [PlaneF; 3] {
         let group = &self.exact[triangle.wide as usize + unit];

@@ -127,13 +127,16 @@ pub(crate) fn address<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, plan: &
         let triangle = pass.triangle(&at);
         let base = triangle.lod_base[plan.index] + i32::from(plan.unit.lod.bias);
         let lod = &mut lod.0[slot * STAMP..][..STAMP];
-        if plan.needs_lod || !triangle.exact {
+        if !triangle.exact {
             let planes = integer_planes(pass, triangle, plan);
             lods_of_stamp(lod, plan, &planes[2], base, at);
-            if !triangle.exact {
-                inexact_stamp(s, &mut out, plan, planes, (slot, at), lod);
-                continue;
-            }
+            inexact_stamp(s, &mut out, plan, planes, (slot, at), lod);
+            continue;
+        }
+        if plan.needs_lod {
+            let w = pass.triangles.unit_w(triangle, plan.index);
+            let w = if plan.unit.perspective { w } else { NO_PERSPECTIVE };
+            lods_of_stamp(lod, plan, &w, base, at);
         }
         let mut planes = pass.triangles.exact_unit(triangle, plan.index);
         if !plan.unit.perspective {
