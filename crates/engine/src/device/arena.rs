@@ -158,6 +158,7 @@ impl States {
         self.index.clear();
     }
 
+    #[inline]
     pub fn len(&self) -> usize {
         self.list.len()
     }
@@ -198,6 +199,7 @@ const MAX_PIXELS: usize = 1 << 20;
 
 impl Arena {
     /// Whether it should be drawn before more is added.
+    #[inline]
     pub fn is_full(&self) -> bool {
         self.commands.len() >= MAX_COMMANDS
             || self.pixels.len() >= MAX_PIXELS
