@@ -65,7 +65,7 @@ impl Model {
         let t = [tr, tg, tb];
         let on = |bit: u32| self.op & bit != 0;
         let bright = f.kd.iter().any(|&k| k > 255);
-        let alpha = if on(4) { va } else { ta * (va + 1) >> 8 };
+        let alpha = if on(4) { va } else { (ta * (va + 1)) >> 8 };
         let mut c = t;
         if on(4) {
             c = [0, 1, 2].map(|i| rounded(ta * t[i] + (255 - ta) * v[i]));
@@ -73,13 +73,13 @@ impl Model {
             let from = if on(1) { f.kd.map(|k| k.min(255)) } else { v };
             c = [0, 1, 2].map(|i| {
                 let (local, other) = (self.env[i] as i32, from[i] as i32);
-                (((other - local) * (t[i] as i32 + 1) >> 8) + local).clamp(0, 255) as u32
+                ((((other - local) * (t[i] as i32 + 1)) >> 8) + local).clamp(0, 255) as u32
             });
         }
         if on(1) && (on(4) || !on(16)) {
             c = [0, 1, 2].map(|i| match on(4) || bright {
                 true => rounded(c[i] * f.kd[i].min(2047)).min(255),
-                false => c[i] * (f.kd[i] + 1) >> 8,
+                false => (c[i] * (f.kd[i] + 1)) >> 8,
             });
         }
         if on(2) {
@@ -120,8 +120,7 @@ impl Model {
 
     /// One channel, with factors in 256ths.
     fn blend(&self, s: u32, d: u32, sa: u32, da: u32) -> u32 {
-        let of = |v: u32| if v == 0 { 0 } else { v + 1 };
-        let of = |v: u32| of(v).max(u32::from(v == 0));
+        let of = |v: u32| v + 1;
         let less = |v: u32| 256 - v;
         let factor = |number: u32, other: u32| match number {
             1 => 256,
@@ -139,6 +138,6 @@ impl Model {
             1 => (of(sa), less(sa)),
             _ => (factor(self.gl.0, d), factor(self.gl.1, s)),
         };
-        (s * fs + d * fd >> 8).min(255)
+        ((s * fs + d * fd) >> 8).min(255)
     }
 }

@@ -318,9 +318,9 @@ fn layers_join_in_order() {
     let mut scene = scene();
     let base = scene.texture_new(1, &[0xff80_4020]);
     let layer = scene.texture_new(1, &[0x80ff_8040]);
-    let product = |a: u32, b: u32| a * (b + 1) >> 8;
+    let product = |a: u32, b: u32| (a * (b + 1)) >> 8;
     let mix = |c: u32, t: u32, f: u32| {
-        (((c as i32 - t as i32) * (256 - f as i32) >> 8) + t as i32) as u32
+        ((((c as i32 - t as i32) * (256 - f as i32)) >> 8) + t as i32) as u32
     };
     let expected = |op: u32, c: u32, t: u32| match op {
         multi_texture::ADD => (c + t).min(255),
