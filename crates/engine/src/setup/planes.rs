@@ -1,6 +1,7 @@
 //! From registers to what the tiles iterate: edges and attribute planes in
 //! screen coordinates.
 
+use super::extra::{BASE, Extra, ExtraNeeds, SPECULAR};
 use super::launch::{GROUP, Launch, NARROW, Params, wide_lane};
 use crate::fixed::COORD_FRACTION;
 use crate::kernel::texture::lod_base;
@@ -71,6 +72,7 @@ pub(crate) struct Plane64 {
 }
 
 impl Plane64 {
+    #[inline(always)]
     pub fn at(&self, x: i32, y: i32) -> i64 {
         self.c
             .wrapping_add(self.dx.wrapping_mul(i64::from(x)))
@@ -152,6 +154,8 @@ pub(crate) struct Triangle {
     /// First of its groups of 64-bit planes in [`Triangles`], of the exact or of
     /// the others.
     wide: u32,
+    /// First of its groups of what states read besides.
+    extra: u32,
     /// Level of detail of each unit at w = 1, without bias.
     pub lod_base: [i32; MAX_TMUS],
     pub edges: [Edge; 3],
@@ -183,6 +187,8 @@ pub(crate) struct Triangles {
     exact: Vec<ExactGroup>,
     /// Of triangles that are not exact.
     wides: Vec<WideGroup>,
+    /// What states read besides.
+    extras: Vec<WideGroup>,
 }
 
 impl Triangles {
@@ -190,6 +196,7 @@ impl Triangles {
         self.list.clear();
         self.exact.clear();
         self.wides.clear();
+        self.extras.clear();
     }
 
     #[inline(always)]
@@ -232,6 +239,21 @@ impl Triangles {
         let group = &self.exact[triangle.wide as usize + unit];
         let first = wide_lane(unit, 0).1;
         [group.plane(first), group.plane(first + 1), group.plane(first + 2)]
+    }
+
+    /// A colour of a triangle whose state reads it, 12.12 in the top 24 bits of
+    /// the low halves; `lane` is [`SPECULAR`] or [`BASE`].
+    #[inline(always)]
+    pub fn extra_color(&self, triangle: &Triangle, lane: usize) -> [Plane64; 4] {
+        let group = &self.extras[triangle.extra as usize + lane / GROUP];
+        [group.plane(0), group.plane(1), group.plane(2), group.plane(3)]
+    }
+
+    /// Deep z of a triangle whose state reads it.
+    #[inline(always)]
+    pub fn deep_z(&self, triangle: &Triangle, needs: ExtraNeeds) -> Plane64 {
+        let colors = if needs.colors { NARROW / GROUP } else { 0 };
+        self.extras[triangle.extra as usize + colors].plane(0)
     }
 
     /// Tells the processor that a triangle is needed soon.
@@ -313,6 +335,7 @@ pub(crate) fn prepare<'a>(
         exact,
         compact,
         wide,
+        extra: out.extras.len() as u32,
         lod_base: lods,
         edges,
         narrow: planes.narrow(&launch.narrow),
@@ -341,6 +364,36 @@ fn large_planes(
         }
         out.push(group);
     }
+}
+
+/// Appends the parameters that a state reads besides to the planes of the
+/// triangle prepared last.
+pub(crate) fn prepare_extra(
+    extra: &Extra,
+    launch: &Launch,
+    screen: &Screen,
+    needs: ExtraNeeds,
+    out: &mut Triangles,
+) {
+    let Some(triangle) = out.list.last() else { return };
+    let planes = Corrected::new(launch, screen, &triangle.bounds);
+    if needs.colors {
+        let narrow = planes.narrow(&extra.colors);
+        out.extras.push(color_group(&narrow, SPECULAR, 0));
+        // The lanes that hold no colour of a launch are not in the top bits.
+        out.extras.push(color_group(&narrow, BASE, 8));
+    }
+    if needs.deep_z {
+        out.extras.push(planes.wide(&extra.deep_z));
+    }
+}
+
+/// Four 32-bit parameters as a group.
+fn color_group(narrow: &Narrow, first: usize, shift: u32) -> WideGroup {
+    let lanes = |from: &[i32; NARROW]| {
+        core::array::from_fn(|i| i64::from(from[first + i].wrapping_shl(shift)))
+    };
+    WideGroup { c: lanes(&narrow.c), dx: lanes(&narrow.dx), dy: lanes(&narrow.dy) }
 }
 
 /// A triangle's edges, how many are in use, and [`Triangle::compact`].

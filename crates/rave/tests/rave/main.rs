@@ -1,3 +1,11 @@
 //! Tests of RAVE through its calls.
 
 mod calls;
+mod conformance;
+mod engines;
+mod frames;
+mod model;
+mod pixels;
+mod replay;
+mod scene;
+mod textures;
