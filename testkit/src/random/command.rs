@@ -63,7 +63,7 @@ impl Case {
         let mut out = Reference::new(self.width, self.height, self.format, self.aux);
         let Some(seed) = self.contents else { return out };
         let mut rng = Rng::new(seed);
-        let mask = if self.format == PixelFormat::Argb8888 { u32::MAX } else { 0xffff };
+        let mask = self.format.element_mask();
         out.color.fill_with(|| rng.word() & mask);
         if let Some(aux) = &mut out.aux {
             aux.fill_with(|| rng.word() as u16);
@@ -82,9 +82,17 @@ pub fn case(seed: u64) -> Case {
     let formats = [
         PixelFormat::Rgb565,
         PixelFormat::Rgb565,
+        PixelFormat::Rgb565,
+        PixelFormat::Rgb565,
+        PixelFormat::Rgb565,
         PixelFormat::Argb1555,
         PixelFormat::Argb4444,
         PixelFormat::Argb8888,
+        PixelFormat::Xrgb1555,
+        PixelFormat::Xrgb8888,
+        PixelFormat::Rgb332,
+        PixelFormat::Gray8,
+        PixelFormat::Alpha8,
     ];
     let format = rng.pick(&formats);
     let aux = !rng.one_in(8);
@@ -135,7 +143,7 @@ fn rect(rng: &mut Rng, width: u32, height: u32) -> Rect {
 fn clear_values(rng: &mut Rng) -> ClearValues {
     let dithers = [Dither::Off, Dither::Ordered2x2, Dither::Ordered4x4];
     let color = if rng.one_in(4) { None } else { Some((rng.word(), rng.pick(&dithers))) };
-    let aux = if rng.one_in(4) { None } else { Some(rng.word() as u16) };
+    let aux = if rng.one_in(4) { None } else { Some(rng.word() & 0xffff) };
     ClearValues { color, aux }
 }
 

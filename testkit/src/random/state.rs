@@ -35,6 +35,7 @@ pub fn draw_state(rng: &mut Rng, width: u32, height: u32) -> DrawState {
         blend: rng.maybe(2, blend),
         dither: rng.pick(&[Dither::Off, Dither::Ordered2x2, Dither::Ordered4x4]),
         color_write: !rng.one_in(10),
+        ..DrawState::default()
     }
 }
 
@@ -65,6 +66,7 @@ fn depth(rng: &mut Rng) -> DepthState {
             false => rng.range(-600, 600) as i16,
         }),
         compare_constant: rng.maybe(8, |rng| rng.word() as u16),
+        ..DepthState::default()
     }
 }
 
@@ -170,6 +172,7 @@ fn blend(rng: &mut Rng) -> Blend {
         destination_alpha: rng.coin(),
         alpha_plane: rng.one_in(3),
         subtract_dither: rng.coin(),
+        ..Blend::default()
     }
 }
 
@@ -211,6 +214,7 @@ fn unit(rng: &mut Rng) -> TextureUnit {
         detail_bias: rng.range(-32, 31) as i8,
         detail_scale: rng.below(8) as u8,
         combine,
+        ..TextureUnit::default()
     }
 }
 

@@ -32,7 +32,7 @@ pub fn biased(value: i32, bias: Option<i16>) -> i32 {
 pub fn of_fragment(state: &DepthState, values: Iterated) -> i32 {
     let value = match state.source {
         DepthSource::Z => values.z,
-        DepthSource::FloatW => values.w,
+        DepthSource::FloatW | DepthSource::DeepZ | DepthSource::DeepW => values.w,
     };
     biased(value, values.bias)
 }

@@ -35,7 +35,7 @@ fn amount(state: &DrawState, fog: &Fog, values: Iterated) -> i32 {
         FogAmount::Table => table(state, biased(values.w, values.bias)),
         FogAmount::IteratedAlpha => values.alpha,
         FogAmount::IteratedZ => values.z >> 8,
-        FogAmount::Constant => 255,
+        FogAmount::Constant | FogAmount::Iterated | FogAmount::ByW => 255,
     };
     amount + 1
 }

@@ -116,7 +116,7 @@ impl Reference {
                     self.color[index] = pack(self.format, argb, dither, x, y);
                 }
                 if let (Some(value), Some(aux)) = (values.aux, &mut self.aux) {
-                    aux[index] = value;
+                    aux[index] = value as u16;
                 }
                 self.counters.pixels_out += 1;
             }

@@ -27,7 +27,9 @@ impl Destination {
             Some(aux) if blend.alpha_plane => i32::from(aux & 0xff),
             _ => own_alpha,
         };
-        if !blend.subtract_dither || self.format == PixelFormat::Argb8888 {
+        let whole =
+            [PixelFormat::Argb8888, PixelFormat::Xrgb8888, PixelFormat::Gray8, PixelFormat::Alpha8];
+        if !blend.subtract_dither || whole.contains(&self.format) {
             return [r, g, b, alpha];
         }
         let lost = 15 - dither::matrix(at.x, at.row) as i32;
@@ -58,6 +60,9 @@ fn factor(factor: BlendFactor, terms: &Terms) -> i32 {
         BlendFactor::OneMinusDestinationAlpha => 256 - terms.destination_alpha,
         BlendFactor::AlphaSaturate => terms.source_alpha.min(256 - terms.destination_alpha) + 1,
         BlendFactor::PrefogColor => terms.prefog + 1,
+        BlendFactor::OneMinusAlphaSaturate => {
+            256 - terms.source_alpha.min(255 - terms.destination_alpha)
+        }
     }
 }
 

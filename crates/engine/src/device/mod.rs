@@ -14,7 +14,7 @@ use self::arena::{Arena, Clear, Command, Pixel, Run};
 use crate::bins::Chunk;
 use crate::error::EngineError;
 use crate::kernel::Pipeline;
-use crate::setup::{Cull, MAX_SCALE, Registers, Vertex};
+use crate::setup::{Cull, MAX_SCALE, Outcome, Registers, Vertex, VertexExtra, extended_triangle};
 use crate::state::{Dither, DrawState, MAX_TMUS, Origin, Rect};
 use crate::stats::{Counters, FlushStats};
 use crate::target::{PixelFormat, Surface, TileSize};
@@ -65,8 +65,8 @@ pub enum FlushReason {
 pub struct ClearValues {
     /// 0xAARRGGBB, reduced with this dithering; `None` leaves the colours.
     pub color: Option<(u32, Dither)>,
-    /// Written whole; `None` leaves the aux plane.
-    pub aux: Option<u16>,
+    /// Written whole, the low half into 16 bits; `None` leaves the aux plane.
+    pub aux: Option<u32>,
 }
 
 /// Ready-made fragments of one row. They skip texturing and combining, and
@@ -186,7 +186,7 @@ impl Device {
         }
         if let Some(aux) = aux {
             let aux = self.peek(aux)?;
-            if aux.format() != PixelFormat::Aux16 {
+            if aux.format().is_color() {
                 return Err(EngineError::WrongFormat { format: aux.format(), usage: "aux" });
             }
             let size = |s: &Surface| (s.width(), s.height());
@@ -218,6 +218,15 @@ impl Device {
         }
     }
 
+    /// Whether the engine has what a state asks for.
+    ///
+    /// # Errors
+    /// [`EngineError::Unsupported`] names the first thing that it does not have
+    /// yet; the state draws as if that were off.
+    pub fn check_state(&self, state: &DrawState) -> Result<(), EngineError> {
+        state.missing().map_or(Ok(()), |what| Err(EngineError::Unsupported(what)))
+    }
+
     /// Draws triangles of what follows at `scale` times their coordinates, 1 to
     /// 4, and takes clip windows the same way: a surface that is so much larger
     /// shows the same picture, finer. Clears, ready-made fragments and access to
@@ -239,6 +248,19 @@ impl Device {
         let index = self.arena.vertices.len() as u32;
         self.arena.vertices.push(vertices.map(|v| *v));
         self.arena.commands.push(Command::Triangle { vertices: index, cull, state });
+    }
+
+    /// Draws a triangle by the current state, later, with the second and third
+    /// colours, the fog factor and the deep z that the state may read. Those of
+    /// [`Device::draw_triangle`] are 0, the fog factor 255.
+    ///
+    /// Set up by the caller, so that the other way is faster where no state
+    /// reads these.
+    pub fn draw_extended(&mut self, vertices: [&Vertex; 3], extras: [&VertexExtra; 3], cull: Cull) {
+        match extended_triangle(vertices, extras, cull, MAX_TMUS) {
+            Outcome::Drawn(registers) => self.launch(&registers),
+            Outcome::Empty | Outcome::Culled => self.counters.triangles_in += 1,
+        }
     }
 
     /// Draws a triangle that was set up elsewhere, later. Of its coordinates

@@ -167,6 +167,7 @@ pub(crate) fn depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mu
             match source {
                 DepthSource::Z => test_depth(s, fragments, &mut IteratedZ, pass, tile),
                 DepthSource::FloatW => test_depth(s, fragments, &mut steps.w, pass, tile),
+                DepthSource::DeepZ | DepthSource::DeepW => {}
             }
         }
     }
@@ -179,7 +180,7 @@ pub(crate) fn ready_depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, til
     let fragments = Fragments { live, slots: &slots[..*count], depth };
     let values = match pass.pipeline.state.depth.source {
         DepthSource::Z => z,
-        DepthSource::FloatW => w,
+        DepthSource::FloatW | DepthSource::DeepZ | DepthSource::DeepW => w,
     };
     test_depth(s, fragments, &mut Kept { values, first: 0 }, pass, tile);
 }

@@ -32,7 +32,7 @@ fn amount<S: Simd>(s: S, block: &Block, pass: &Pass<'_>, fog: &Fog, k: usize) ->
             let amount = s.load(&block.z.0[k..]).shr(8);
             amount | amount.shl(16)
         }
-        FogAmount::Constant => s.splat(0),
+        FogAmount::Constant | FogAmount::Iterated | FogAmount::ByW => s.splat(0),
     }
 }
 

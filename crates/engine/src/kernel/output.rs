@@ -26,17 +26,47 @@ fn unpack<S: Simd>(s: S, format: PixelFormat, p: S::I) -> [S::I; 2] {
             let a = p.shl(16).sar(31) & s.splat(0x00ff_0000);
             [rb.shl16(3) | rb.shr16(2), g.shl(3) | g.shr(2) | a]
         }
+        PixelFormat::Xrgb1555 => {
+            let rb = (p.shr(10) & s.splat(31)) | (p & s.splat(31)).shl(16);
+            let g = p.shr(5) & s.splat(31);
+            [rb.shl16(3) | rb.shr16(2), g.shl(3) | g.shr(2) | s.splat(0x00ff_0000)]
+        }
         PixelFormat::Argb4444 => {
             let rb = (p.shr(8) & s.splat(15)) | (p & s.splat(15)).shl(16);
             let ga = (p.shr(4) & s.splat(15)) | (p & s.splat(0xf000)).shl(4);
             [rb.shl16(4) | rb, ga.shl16(4) | ga]
         }
-        PixelFormat::Argb8888 | PixelFormat::Palette | PixelFormat::Aux16 => {
-            let rb = (p.shr(16) & s.splat(0xff)) | (p & s.splat(0xff)).shl(16);
-            let ga = (p.shr(8) & s.splat(0xff)) | (p.shr(24)).shl(16);
-            [rb, ga]
+        PixelFormat::Xrgb8888 => {
+            let [rb, ga] = unpack_bytes(s, p);
+            [rb, ga | s.splat(0x00ff_0000)]
+        }
+        PixelFormat::Rgb332 => {
+            let (r, g, b) = (p.shr(5) & s.splat(7), p.shr(2) & s.splat(7), p & s.splat(3));
+            let rg = r | g.shl(16);
+            let rg = rg.shl16(5) | rg.shl16(2) | rg.shr16(1);
+            let rb = (rg & s.splat(0xff)) | b.mul(s.splat(85)).shl(16);
+            [rb, rg.shr(16) | s.splat(0x00ff_0000)]
+        }
+        PixelFormat::Gray8 => {
+            let gray = p & s.splat(0xff);
+            [gray | gray.shl(16), gray | s.splat(0x00ff_0000)]
+        }
+        PixelFormat::Alpha8 => {
+            let white = s.splat(0x00ff_00ff);
+            [white, join(s, white, p.shl(16) & white)]
+        }
+        PixelFormat::Argb8888 | PixelFormat::Palette | PixelFormat::Aux16 | PixelFormat::Aux32 => {
+            unpack_bytes(s, p)
         }
     }
+}
+
+/// 0xAARRGGBB as channel pairs.
+#[inline(always)]
+fn unpack_bytes<S: Simd>(s: S, p: S::I) -> [S::I; 2] {
+    let rb = (p.shr(16) & s.splat(0xff)) | (p & s.splat(0xff)).shl(16);
+    let ga = (p.shr(8) & s.splat(0xff)) | (p.shr(24)).shl(16);
+    [rb, ga]
 }
 
 /// Reduces channel pairs to `bits` bits, with the dither value `d` or by
@@ -47,7 +77,7 @@ fn reduce<S: Simd>(c: S::I, bits: u32, d: Option<S::I>) -> S::I {
     let scaled = match bits {
         6 => c.shl16(2).sub16(c.shr16(4)).add16(c.shr16(6)),
         5 => c.shl16(1).sub16(c.shr16(4)).add16(c.shr16(7)),
-        _ => c.sub16(c.shr16(4)),
+        _ => c.shr16(4 - bits).sub16(c.shr16(4)),
     };
     scaled.add16(d).shr16(4)
 }
@@ -76,7 +106,26 @@ pub(super) fn pack<S: Simd>(
             let color = (rb & s.splat(15)).shl(8) | (g & s.splat(15)).shl(4) | rb.shr(16);
             color | alpha.shr(4).shl(12)
         }
-        PixelFormat::Argb8888 | PixelFormat::Palette | PixelFormat::Aux16 => {
+        PixelFormat::Xrgb1555 => {
+            let (rb, g) = (reduce::<S>(rb, 5, d), reduce::<S>(ga, 5, d));
+            (rb & s.splat(31)).shl(10) | (g & s.splat(31)).shl(5) | rb.shr(16)
+        }
+        PixelFormat::Xrgb8888 => {
+            (rb & s.splat(0xff)).shl(16) | (ga & s.splat(0xff)).shl(8) | rb.shr(16)
+        }
+        PixelFormat::Rgb332 => {
+            let (r, g) = (reduce::<S>(rb, 3, d), reduce::<S>(ga, 3, d));
+            let b = reduce::<S>(rb, 2, d).shr(16);
+            (r & s.splat(7)).shl(5) | (g & s.splat(7)).shl(2) | b
+        }
+        PixelFormat::Gray8 => {
+            let (r, b) = (rb & s.splat(0xff), rb.shr(16));
+            let g = ga & s.splat(0xff);
+            let sum = r.mul(s.splat(77)) + g.mul(s.splat(150)) + b.mul(s.splat(29));
+            (sum + s.splat(128)).shr(8)
+        }
+        PixelFormat::Alpha8 => alpha,
+        PixelFormat::Argb8888 | PixelFormat::Palette | PixelFormat::Aux16 | PixelFormat::Aux32 => {
             alpha.shl(24) | (rb & s.splat(0xff)).shl(16) | (ga & s.splat(0xff)).shl(8) | rb.shr(16)
         }
     }
@@ -107,6 +156,10 @@ fn factor<S: Simd>(s: S, factor: BlendFactor, o: &Operands<S>, other: &[S::I; 2]
         BlendFactor::OneMinusOtherColor => [whole.sub16(other[0]), whole.sub16(other[1])],
         BlendFactor::AlphaSaturate => {
             [source_alpha.min16(whole.sub16(destination_alpha)).add16(one); 2]
+        }
+        BlendFactor::OneMinusAlphaSaturate => {
+            let top = s.splat(0x00ff_00ff);
+            [whole.sub16(source_alpha.min16(top.sub16(destination_alpha))); 2]
         }
         BlendFactor::PrefogColor => [o.prefog[0].add16(one), o.prefog[1].add16(one)],
     }
@@ -146,7 +199,7 @@ fn destination<S: Simd>(
     j: usize,
 ) -> [S::I; 2] {
     let [mut rb, mut ga] = unpack(s, format, element);
-    if config.subtract_dither && format != PixelFormat::Argb8888 {
+    if config.subtract_dither && format.is_reduced() {
         let top = s.splat(0x00ff_00ff);
         let rest = s.load(&pass.pipeline.undither[j..]);
         rb = rb.add16(rest.shr16(1)).min16(top);

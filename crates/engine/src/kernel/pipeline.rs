@@ -103,6 +103,11 @@ impl Pipeline {
                 blend.alpha_plane = false;
             }
         }
+        if state.depth.source.is_deep() {
+            (state.depth.test, state.aux_write) = (None, AuxWrite::Nothing);
+        }
+        state.fog =
+            state.fog.filter(|fog| !matches!(fog.amount, FogAmount::Iterated | FogAmount::ByW));
         let reads_alpha = reads_alpha(&state, format);
         let needs = needs(&state, reads_alpha);
         let units = units(&state, textures);
@@ -282,7 +287,7 @@ fn reads_texture(state: &DrawState) -> bool {
 
 /// Whether anything after the combine units reads alpha.
 fn reads_alpha(state: &DrawState, format: PixelFormat) -> bool {
-    format != PixelFormat::Rgb565
+    format.has_alpha()
         || state.alpha_test.is_some()
         || state.blend.is_some()
         || state.aux_write == AuxWrite::Alpha

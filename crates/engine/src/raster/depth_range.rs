@@ -42,6 +42,7 @@ pub(crate) fn depth_range(
             }
             (i64::from(float_w(high)), i64::from(float_w(low)))
         }
+        DepthSource::DeepZ | DepthSource::DeepW => return None,
     };
     let bias = i64::from(pipeline.state.depth.bias.unwrap_or(0));
     let limit = |depth: i64| (depth + bias).clamp(0, 0xffff) as u16;

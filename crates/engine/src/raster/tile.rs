@@ -370,7 +370,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             fill(target.color, stamp, whole, &area, &target.rect, self.grid.bits);
         }
         if let (Some(value), Some(aux)) = (clear.values.aux, &mut target.aux) {
-            fill(aux, [i32::from(value); STAMP], whole, &area, &target.rect, self.grid.bits);
+            fill(aux, [value as i32; STAMP], whole, &area, &target.rect, self.grid.bits);
         }
     }
 

@@ -51,7 +51,7 @@ impl<const N: usize> Params<[i64; N]> {
 
 impl From<&Registers> for Launch {
     fn from(registers: &Registers) -> Launch {
-        let Registers { x, y, negative, color, z, w, tmu } = registers;
+        let Registers { x, y, negative, color, z, w, tmu, .. } = registers;
         let mut launch = Launch { x: *x, y: *y, negative: *negative, ..Launch::default() };
         for (lane, param) in color.iter().chain([z]).enumerate() {
             launch.narrow.start[lane] = param.start;

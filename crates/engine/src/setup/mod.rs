@@ -13,6 +13,6 @@ pub(crate) use palette::{Plane32, Shape, Texels, prepare_palette};
 pub use planes::MAX_SCALE;
 pub(crate) use planes::{Edge, Narrow, Plane64, Screen, Triangle, Triangles, prepare};
 pub use registers::{Param, Registers, WideParam};
-pub use sst1::{Cull, Outcome, triangle};
+pub use sst1::{Cull, Outcome, extended_triangle, triangle};
 pub(crate) use sst1::{Fate, set_up};
-pub use vertex::{TmuVertex, Vertex};
+pub use vertex::{TmuVertex, Vertex, VertexExtra};

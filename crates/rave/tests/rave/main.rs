@@ -1,0 +1,3 @@
+//! Tests of RAVE through its calls.
+
+mod calls;
