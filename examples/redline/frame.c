@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT OR Apache-2.0
  *
- * frame: a flight through a hall whose 96 pictures, 12 MB, do not fit into the
- * board's memory. A cache gives each picture that is needed a surface, takes
+ * frame: a flight through a hall whose 96 pictures, 3 MB, do not fit into what
+ * the display leaves of the board's memory. A cache gives each picture that is needed a surface, takes
  * the one that was not needed for the longest time when memory is used up, and
  * loads texels from locked memory. The triangles are written into the command
  * buffers as words, with fog that grows with the distance.
@@ -12,7 +12,7 @@
 #include "common.h"
 
 #define PICTURES 96
-#define SIZE 256
+#define SIZE 128
 #define PANELS 12          /* of each side that are seen */
 #define LENGTH 2.0         /* of a panel */
 #define NEAREST 0.35
@@ -39,17 +39,17 @@ static v_u16 texel(int picture, int x, int y)
         light = wave(40.0 * sqrt((u - 0.5) * (u - 0.5) + (v - 0.5) * (v - 0.5)));
         break;
     case 1:
-        light = (y % 32 < 3 || (x + y / 32 % 2 * 32) % 64 < 3) ? 0.35 : 0.8 + 0.2 * wave(x * y);
+        light = (y % 16 < 2 || (x + y / 16 % 2 * 16) % 32 < 2) ? 0.35 : 0.8 + 0.2 * wave(x * y);
         break;
     case 2:
         light = wave(6.2832 * (8.0 * u + 3.0 * v));
         break;
     default:
-        light = (x / 32 + y / 32) % 2 ? 0.95 : 0.45;
+        light = (x / 16 + y / 16) % 2 ? 0.95 : 0.45;
         break;
     }
     /* A frame around every picture. */
-    if (x < 8 || y < 8 || x >= SIZE - 8 || y >= SIZE - 8) {
+    if (x < 4 || y < 4 || x >= SIZE - 4 || y >= SIZE - 4) {
         light = 0.2;
     }
     r = (int)(31.0 * light * (0.4 + 0.6 * wave(6.2832 * hue)));

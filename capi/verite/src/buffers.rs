@@ -251,17 +251,17 @@ pub extern "C" fn V_LockBuffer(device: Opaque, group: Opaque, buffer: u32) -> *m
         let routine = VRoutine::LockBuffer;
         let call = |device, group| Call::LockBuffer { device, group, buffer };
         let bytes = session.on_group(device, group, routine, call)?.into_bytes();
-        let (owner, address) =
-            session.buffer(group, buffer, routine, |_, known, owner| {
-                Some((owner, known.address(buffer)?))
+        let (owner, address, room) =
+            session.buffer(group, buffer, routine, |session, known, owner| {
+                let (pitch, _) = session.context.buffer_pitch(owner.0, owner.1, buffer)?;
+                Some((owner, known.address(buffer)?, pitch as usize * known.height as usize))
             })?;
-        let known =
-            session.locks.iter().position(|l| (l.owner, l.address) == (owner, address));
+        let known = session.locks.iter().position(|l| (l.owner, l.address) == (owner, address));
         let at = known.unwrap_or_else(|| {
             session.locks.push(Lock::new(owner, address));
             session.locks.len() - 1
         });
-        Ok(session.locks[at].lock(|| bytes).cast())
+        Ok(session.locks[at].lock(room, || bytes).cast())
     })
 }
 

@@ -3,9 +3,9 @@
 use std::ffi::c_int;
 
 use fillrate_guard::write;
+use fillrate_redline::command::dma_entries;
 use fillrate_redline::{
     Call, CommandBuffer, CommandSink, DmaBlock, Failure, Port, VError, VRoutine, add_to_dma_list,
-    dma_entries,
 };
 
 use crate::errors::{quiet, v, value};

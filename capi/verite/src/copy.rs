@@ -349,7 +349,8 @@ pub unsafe extern "C" fn VL_BitfillPatOpaque(
     unsafe { fill(cmdbuffer, surface, routine, buffer, how, [x, y], [width, height]) }
 }
 
-/// Host pixels through the pixel pipeline. `bytes` is what a pixel takes.
+/// Host pixels through the pixel pipeline. `bytes` is what a pixel takes; 0 is
+/// taken for the two bytes of the display's.
 ///
 /// # Safety
 /// `cmdbuffer` is null or points to a handle.
@@ -369,6 +370,7 @@ pub unsafe extern "C" fn VL_BitbltMem(
     unsafe {
         recorded(cmdbuffer, routine, |sink| {
             let data = data(sink, routine, memory, address)?;
+            let bytes = if bytes == 0 { 2 } else { bytes };
             record::bitblt_mem(sink, [x, y], [width, height], bytes, data)
         })
     }

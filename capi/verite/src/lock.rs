@@ -1,5 +1,6 @@
 //! Locked buffers: the copy that a program reads and writes.
 
+use fillrate_call::Data;
 use fillrate_redline::lock::changes;
 
 /// A buffer's bytes. They stay where they are until the buffer's memory is
@@ -28,21 +29,27 @@ impl Lock {
     }
 
     /// Locks it once more. The first time it holds what the buffer holds.
-    pub fn lock(&mut self, now: impl FnOnce() -> Vec<u8>) -> *mut u8 {
+    /// Programs may write `room` bytes, the padding of the last row among them,
+    /// which nobody sees.
+    pub fn lock(&mut self, room: usize, now: impl FnOnce() -> Vec<u8>) -> *mut u8 {
         if self.count == 0 {
             self.before = now();
-            let words = self.before.len().div_ceil(4);
+            let words = self.before.len().max(room).div_ceil(4);
             if self.bytes.len() < words {
                 self.bytes.resize(words, 0);
             }
-            self.view_mut().copy_from_slice(&self.before.clone());
+            for (word, bytes) in self.bytes.iter_mut().zip(self.before.chunks(4)) {
+                let mut whole = [0; 4];
+                whole[..bytes.len()].copy_from_slice(bytes);
+                *word = u32::from_ne_bytes(whole);
+            }
         }
         self.count += 1;
         self.bytes.as_mut_ptr().cast()
     }
 
     /// Gives it back once; what was changed, the last time.
-    pub fn unlock(&mut self) -> Option<fillrate_redline::Data> {
+    pub fn unlock(&mut self) -> Option<Data> {
         self.count = self.count.saturating_sub(1);
         (self.count == 0).then(|| changes(&self.before, self.view()))
     }
@@ -50,12 +57,6 @@ impl Lock {
     fn view(&self) -> &[u8] {
         // SAFETY: words are bytes, and there are enough of them.
         unsafe { std::slice::from_raw_parts(self.bytes.as_ptr().cast(), self.before.len()) }
-    }
-
-    fn view_mut(&mut self) -> &mut [u8] {
-        let bytes = self.bytes.as_mut_ptr().cast();
-        // SAFETY: words are bytes, and there are enough of them.
-        unsafe { std::slice::from_raw_parts_mut(bytes, self.before.len()) }
     }
 
     /// The board address of a pointer into it.
@@ -72,9 +73,9 @@ mod tests {
     #[test]
     fn a_lock_brings_back_changes() {
         let mut lock = Lock::new((1, 1), 1000);
-        let pointer = lock.lock(|| vec![1, 2, 3, 4, 5, 6, 7, 8]);
-        assert_eq!(lock.lock(|| unreachable!()), pointer);
-        // SAFETY: eight bytes are there.
+        let pointer = lock.lock(12, || vec![1, 2, 3, 4, 5, 6, 7, 8]);
+        assert_eq!(lock.lock(12, || unreachable!()), pointer);
+        // SAFETY: twelve bytes are there.
         unsafe { pointer.add(6).write(70) };
         assert_eq!(lock.board_address(pointer.addr() + 6), Some(1006));
         assert_eq!(lock.board_address(pointer.addr() + 8), None);

@@ -12,6 +12,7 @@ use fillrate_redline::{
     VError, VRoutine,
 };
 use fillrate_settings::Settings;
+use fillrate_trace::meta::CONFIG_PREFIX;
 
 use crate::commands::Callback;
 use crate::errors::Errors;
@@ -73,7 +74,7 @@ fn recorder(file: &std::path::Path, config: &RedlineConfig) -> Option<Recorder> 
     let pairs = config.describe();
     let pairs: Vec<(String, &str)> = pairs
         .iter()
-        .map(|(key, value)| (format!("{}{key}", Recorder::CONFIG), value.as_str()))
+        .map(|(key, value)| (format!("{}{key}", CONFIG_PREFIX), value.as_str()))
         .collect();
     let pairs: Vec<(&str, &str)> = pairs.iter().map(|(key, value)| (&key[..], *value)).collect();
     let recorder = Recorder::new(file, "redline", &pairs);
@@ -208,8 +209,7 @@ impl Session {
 
     fn note_frame(&mut self) {
         let Some(frame) = self.context.shown().and_then(frame_of) else { return };
-        let counters = self.context.counters();
-        let drawn = Drawn { triangles: counters.triangles_drawn, pixels: counters.pixels_in };
+        let drawn = Drawn::default();
         if let Some(log) = &mut self.capture
             && let Err(error) = log.frame(self.frames, &frame, drawn)
         {

@@ -4,6 +4,7 @@ use std::ffi::c_int;
 use std::sync::MutexGuard;
 
 use fillrate_guard::{guard, read, write};
+use fillrate_redline::command::Mark;
 use fillrate_redline::{
     CommandSink, DmaBlock, Failure, Result, VError, VRoutine, VlError, VlRoutine,
 };
@@ -17,6 +18,8 @@ use crate::session::{Buffer, Session, device_handle, session};
 pub(crate) struct Sink {
     variable: *mut Opaque,
     slot: u32,
+    /// What was in the buffer before the call.
+    before: Mark,
     /// Held but while the callback runs.
     session: Option<MutexGuard<'static, Session>>,
 }
@@ -32,8 +35,8 @@ impl Sink {
         let handle = unsafe { read(variable) }?;
         let slot = number(Kind::CmdBuffer, handle)?;
         let session = session();
-        session.buffers.get(slot)?;
-        Some(Sink { variable, slot, session: Some(session) })
+        let before = session.buffers.get(slot)?.commands.mark();
+        Some(Sink { variable, slot, before, session: Some(session) })
     }
 
     /// The library.
@@ -51,6 +54,14 @@ impl Sink {
     /// The device of the buffer.
     pub fn device(&mut self) -> u32 {
         self.buffer().map_or(0, |buffer| buffer.device)
+    }
+
+    /// Takes back what the call has recorded in this buffer.
+    fn rewind(&mut self) {
+        let before = self.before;
+        if let Ok(buffer) = self.buffer() {
+            buffer.commands.rewind(before);
+        }
     }
 
     /// Whether so much fits, or else what is lacking.
@@ -77,6 +88,7 @@ impl Sink {
         // SAFETY: as above.
         unsafe { write(self.variable, next) };
         self.slot = number(Kind::CmdBuffer, next).ok_or(VError::ParamError)?;
+        self.before = self.buffer()?.commands.mark();
         self.room(words, entries)
     }
 }
@@ -118,6 +130,7 @@ pub(crate) unsafe fn recorded(
             Ok(()) => VlError::Success.number(),
             Err(failure) => {
                 let device = device_handle(sink.device());
+                sink.rewind();
                 drop(sink);
                 report(device, &failure)
             }
@@ -142,6 +155,7 @@ pub(crate) unsafe fn appended<T: Copy>(
         };
         body(&mut sink).map_err(|failure| {
             let device = device_handle(sink.device());
+            sink.rewind();
             drop(sink);
             report(device, &failure)
         })

@@ -85,7 +85,7 @@ static void codes_and_handlers(void)
     forget_errors();
 
     /* More than the board has: the lower layer is heard first. */
-    CHECK(VL_CreateSurface(verite, &surface, 0, 64, V_PIXFMT_8888, 640, 2000)
+    CHECK(VL_CreateSurface(verite, &surface, 0, 16, V_PIXFMT_8888, 320, 1000)
           == VL_OUT_OF_VIDEO_MEMORY);
     CHECK(surface == NULL);
     CHECK(v_told.error == V_OUT_OF_VIDEO_MEMORY);

@@ -124,14 +124,20 @@ static void groups(void)
     v_u32 size = 0, *pointer, board = 0, i;
     v_u32 pixels[4 * 8];
 
-    CHECK(V_CreateBufferGroup(verite, &group, &size, V_SURFACE_Z_BUFFER, 3, V_PIXFMT_8888, 60, 40)
+    CHECK(V_CreateBufferGroup(verite, &group, &size, V_SURFACE_Z_BUFFER, 2, V_PIXFMT_4444, 60, 40)
           == V_SUCCESS);
-    CHECK(V_GetNumBuffers(group) == 3 && V_GetBufferMask(group) == V_SURFACE_Z_BUFFER);
-    CHECK(V_GetBufferLinebytes(group, 0) == 256 && V_GetBufferLinebytes(group, 2) == 128);
+    CHECK(V_GetNumBuffers(group) == 2 && V_GetBufferMask(group) == V_SURFACE_Z_BUFFER);
+    CHECK(V_GetBufferLinebytes(group, 0) == 128 && V_GetBufferLinebytes(group, 1) == 128);
+    CHECK(V_DestroyBufferGroup(verite, group) == V_SUCCESS);
+    CHECK(V_CreateBufferGroup(verite, &group, &size, 0, 3, V_PIXFMT_8888, 60, 40) == V_SUCCESS);
+    CHECK(V_GetBufferLinebytes(group, 0) == 256 && V_GetBufferLinebytes(group, 2) == 256);
     CHECK(V_Linebytes(verite, V_GetBufferStride(group, 0)) == 256);
-    CHECK(size == 2 * 256 * 40 + 128 * 40);
+    CHECK(size == 3 * 256 * 40);
     pointer = V_LockBuffer(verite, group, 1);
     CHECK(pointer != NULL);
+    if (pointer == NULL) {
+        return;
+    }
     CHECK(V_GetBoardAddress(verite, pointer, &board) == V_SUCCESS);
     CHECK(board == V_GetBufferAddress(group, 1));
     for (i = 0; i < 64 * 40; i++) {

@@ -33,7 +33,8 @@ static void overflow(void)
         CHECK(VL_Dot(&cb, V_FIFO_KXY, WORDS(dot)) == VL_SUCCESS);
         changes += cb != old;
     }
-    CHECK(issues - before > 4000 * 4 / 64 && changes == issues - before);
+    /* Sixteen dots fill a buffer. */
+    CHECK(issues - before >= 4000 / 16 - 1 && changes == issues - before);
     CHECK(told_buffer != NULL && first == ring[0]);
     for (i = 0; i < 4000; i += 371) {
         v_u16 expected = (v_u16)(i % 3 == 0 ? 0xF800 : i % 3 == 1 ? 0x07E0 : 0x001F);
