@@ -134,9 +134,12 @@ fn examples(folder: &str) -> Vec<PathBuf> {
 fn recordings_replay_to_the_same_frames() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut count = 0;
-    for (examples_of, library) in
-        [("glide", "glide2x"), ("raw", "render_client"), ("quark", "quark3d"), ("redline", "redline")]
-    {
+    for (examples_of, library) in [
+        ("glide", "glide2x"),
+        ("raw", "render_client"),
+        ("quark", "quark3d"),
+        ("redline", "redline"),
+    ] {
         for file in examples(&format!("examples/{examples_of}")) {
             let program = compile(&file, library, folder.path());
             let trace = folder.path().join("trace");

@@ -58,7 +58,8 @@ impl Session {
         routine: VRoutine,
         call: impl FnOnce(u32, u32) -> Call,
     ) -> Result<Reply> {
-        let owner = self.group_number(group).filter(|(owner, _)| self.device(device) == Some(*owner));
+        let owner =
+            self.group_number(group).filter(|(owner, _)| self.device(device) == Some(*owner));
         let (device, group) = owner.ok_or(Failure::v(routine, VError::ParamError))?;
         self.call(&call(device, group))
     }
@@ -178,8 +179,8 @@ pub unsafe extern "C" fn V_BltDisplayBuffer(
         let (to, from) = (to.map(RawRect::rect), from.map(RawRect::rect));
         let source = session.group_number(src);
         let (_, src_group) = source.ok_or(Failure::v(routine, VError::ParamError))?;
-        let shows = dst_buffer == 0
-            && session.group(dst).is_some_and(|group| group.mask & PRIMARY != 0);
+        let shows =
+            dst_buffer == 0 && session.group(dst).is_some_and(|group| group.mask & PRIMARY != 0);
         if shows && from.is_none() && to.is_some() {
             let call = |device, _| Call::SetWindow { device, window: to };
             session.on_group(device, dst, routine, call)?;
@@ -270,10 +271,9 @@ pub extern "C" fn V_LockBuffer(device: Opaque, group: Opaque, buffer: u32) -> *m
 pub extern "C" fn V_UnlockBuffer(device: Opaque, group: Opaque, buffer: u32) -> c_int {
     v(device, |session| {
         let routine = VRoutine::UnlockBuffer;
-        let (owner, address) =
-            session.buffer(group, buffer, routine, |_, known, owner| {
-                Some((owner, known.address(buffer)?))
-            })?;
+        let (owner, address) = session.buffer(group, buffer, routine, |_, known, owner| {
+            Some((owner, known.address(buffer)?))
+        })?;
         let same = |l: &&mut Lock| (l.owner, l.address) == (owner, address) && l.is_held();
         let lock = session.locks.iter_mut().find(same);
         let lock = lock.ok_or(Failure::v(routine, VError::InvalidBuffer))?;
@@ -327,9 +327,14 @@ pub extern "C" fn V_RestoreBuffer(device: Opaque, group: Opaque, buffer: u32) ->
 #[unsafe(no_mangle)]
 pub extern "C" fn V_GetBufferLinebytes(group: Opaque, buffer: u32) -> u32 {
     value(std::ptr::null_mut(), 0, |session| {
-        session.buffer(group, buffer, VRoutine::GetBufferLinebytes, |session, _, (device, group)| {
-            Some(session.context.buffer_pitch(device, group, buffer)?.0)
-        })
+        session.buffer(
+            group,
+            buffer,
+            VRoutine::GetBufferLinebytes,
+            |session, _, (device, group)| {
+                Some(session.context.buffer_pitch(device, group, buffer)?.0)
+            },
+        )
     })
 }
 
@@ -347,9 +352,8 @@ pub extern "C" fn V_GetBufferStride(group: Opaque, buffer: u32) -> u32 {
 #[unsafe(no_mangle)]
 pub extern "C" fn V_GetBufferAddress(group: Opaque, buffer: u32) -> u32 {
     value(std::ptr::null_mut(), 0, |session| {
-        session.buffer(group, buffer, VRoutine::GetBufferAddress, |_, known, _| {
-            known.address(buffer)
-        })
+        session
+            .buffer(group, buffer, VRoutine::GetBufferAddress, |_, known, _| known.address(buffer))
     })
 }
 

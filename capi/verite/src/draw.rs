@@ -241,11 +241,7 @@ pub unsafe extern "C" fn VL_Warp(
 /// # Safety
 /// `cmdbuffer` is null or points to a handle.
 #[unsafe(export_name = "redline_Particles")]
-pub unsafe extern "C" fn VL_Particles(
-    cmdbuffer: *mut Opaque,
-    count: u32,
-    memory: Opaque,
-) -> c_int {
+pub unsafe extern "C" fn VL_Particles(cmdbuffer: *mut Opaque, count: u32, memory: Opaque) -> c_int {
     let routine = VlRoutine::Particles;
     // SAFETY: the caller's promise.
     unsafe {

@@ -139,7 +139,8 @@ mod tests {
         assert!(memory.is_ours());
         let number = memories.insert(memory).unwrap();
         let mut out = Vec::new();
-        let mut block = DmaBlock { memory: number.into(), offset: 96, words: 1, ..DmaBlock::default() };
+        let mut block =
+            DmaBlock { memory: number.into(), offset: 96, words: 1, ..DmaBlock::default() };
         assert_eq!(memories.read(&block, &mut out), Ok(()));
         assert_eq!(out, [0; 4]);
         block.words = 2;

@@ -269,7 +269,5 @@ pub unsafe extern "C" fn VL_WaitForDisplaySwitch(cmdbuffer: *mut Opaque) -> c_in
 #[unsafe(export_name = "redline_FrameMarker")]
 pub unsafe extern "C" fn VL_FrameMarker(cmdbuffer: *mut Opaque, frame: c_int) -> c_int {
     // SAFETY: the caller's promise.
-    unsafe {
-        recorded(cmdbuffer, VlRoutine::FrameMarker, |sink| record::frame_marker(sink, frame))
-    }
+    unsafe { recorded(cmdbuffer, VlRoutine::FrameMarker, |sink| record::frame_marker(sink, frame)) }
 }

@@ -4,9 +4,7 @@ use std::ffi::c_int;
 
 use fillrate_guard::{guard, read, write};
 use fillrate_redline::surface::{UCLAMP, VCLAMP};
-use fillrate_redline::{
-    BufferGroup, Call, Failure, Reply, Result, Surface, VlError, VlRoutine,
-};
+use fillrate_redline::{BufferGroup, Call, Failure, Reply, Result, Surface, VlError, VlRoutine};
 
 use crate::errors::{report, vl};
 use crate::handle::Opaque;
@@ -197,9 +195,8 @@ pub unsafe extern "C" fn VL_PointSurface(
     address: u32,
 ) -> c_int {
     vl(device, |session| {
-        let call = |device| {
-            Call::PointSurface { device, mask, buffers, format, width, height, address }
-        };
+        let call =
+            |device| Call::PointSurface { device, mask, buffers, format, width, height, address };
         // SAFETY: the caller's promise.
         unsafe { session.make_surface(device, surface, VlRoutine::PointSurface, call) }
     })

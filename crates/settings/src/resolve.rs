@@ -166,7 +166,8 @@ fn redline(verite: &Verite, device: DeviceConfig, problems: &mut Vec<String>) ->
         chip
     });
     let desktop = verite.desktop.as_deref().and_then(|text| {
-        let sides = text.split_once('x').and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
+        let sides =
+            text.split_once('x').and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
         let sides = sides.filter(|(w, h)| (1..=2048).contains(w) && (1..=2048).contains(h));
         if sides.is_none() {
             problems.push(format!("desktop = {text} is not used: it is 1x1 to 2048x2048"));

@@ -97,7 +97,9 @@ fn constants() -> BTreeSet<String> {
             names.extend(member.map(|(name, _)| name.to_string()));
         }
     }
-    names.retain(|name| !matches!(&name[..], "V_IMPORT" | "V_CDECL" | "V_DLLIMPORT" | "V_DLLEXPORT"));
+    names.retain(|name| {
+        !matches!(&name[..], "V_IMPORT" | "V_CDECL" | "V_DLLIMPORT" | "V_DLLEXPORT")
+    });
     names
 }
 

@@ -126,7 +126,8 @@ fn mixtures_are_the_equations() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let picture = |name: &str| {
         let program = compile(&example(name), folder.path());
-        let ran = draw(&program, "v2000", &["-k", "."], &folder.path().join(name).with_extension("d"));
+        let ran =
+            draw(&program, "v2000", &["-k", "."], &folder.path().join(name).with_extension("d"));
         load(ran.pictures.last().expect("a frame"))
     };
     let htri5 = picture("htri5");
@@ -224,7 +225,13 @@ fn libraries_opened_by_hand_share_the_device() {
     std::fs::write(&file, text).expect("the source can be written");
     let program = folder.path().join("by_hand");
     let include = root().join("include");
-    run(std::process::Command::new("cc").arg("-I").arg(include).arg(&file).arg("-o").arg(&program).arg("-ldl"));
+    run(std::process::Command::new("cc")
+        .arg("-I")
+        .arg(include)
+        .arg(&file)
+        .arg("-o")
+        .arg(&program)
+        .arg("-ldl"));
     let with: &Path = &super::super::library_folder();
     run(std::process::Command::new(&program).env("LD_LIBRARY_PATH", with));
 }
