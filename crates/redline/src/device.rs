@@ -6,6 +6,8 @@
 
 use std::collections::BTreeMap;
 
+use fillrate_engine::Counters;
+
 use crate::allocate::{Allocator, End};
 use crate::board::MICROCODE_BYTES;
 use crate::call::Rect;
@@ -257,6 +259,11 @@ impl Device {
         }
         let pixels = bytes.as_chunks().0.iter().map(|&two| u16::from_le_bytes(two)).collect();
         Shown { width, height, pixels }
+    }
+
+    /// What the chip has drawn.
+    pub fn counters(&self) -> Counters {
+        self.worker.chip().counters()
     }
 
     // Buffer groups.
