@@ -209,7 +209,11 @@ impl Session {
 
     fn note_frame(&mut self) {
         let Some(frame) = self.context.shown().and_then(frame_of) else { return };
-        let drawn = Drawn::default();
+        let counters = self.devices.last().and_then(|&device| self.context.counters(device));
+        let drawn = counters.map_or_else(Drawn::default, |counters| Drawn {
+            triangles: counters.triangles_drawn,
+            pixels: counters.pixels_in,
+        });
         if let Some(log) = &mut self.capture
             && let Err(error) = log.frame(self.frames, &frame, drawn)
         {

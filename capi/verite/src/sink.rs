@@ -108,6 +108,10 @@ impl CommandSink for Sink {
         memory.filter(|memory| memory.holds(&block)).ok_or(VError::ParamError)?;
         self.buffer()?.commands.add_dma(block)
     }
+
+    fn has_specular(&self) -> bool {
+        self.session.as_ref().is_none_or(|session| session.context.has_specular())
+    }
 }
 
 /// Runs a recording call of the upper layer.

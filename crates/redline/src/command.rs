@@ -103,6 +103,12 @@ pub trait CommandSink {
     /// [`VError::CmdBufferNoDmaEntries`], [`VError::ParamError`] for blocks that
     /// are too long or whose offset is no multiple of 4.
     fn add_dma(&mut self, block: DmaBlock) -> Result<(), VError>;
+
+    /// Whether the board knows vertices with specular colours. Recording for
+    /// boards that do not refuses them.
+    fn has_specular(&self) -> bool {
+        true
+    }
 }
 
 /// Where the memory of DMA blocks is found.

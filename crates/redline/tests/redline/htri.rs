@@ -158,12 +158,7 @@ fn htri4_depth_and_perspective() {
         htri4(&mut board, bilinear);
         check(
             &board.pixels(1),
-            &[
-                (300, 150, GREEN),
-                (250, 200, GREEN),
-                (500, 160, MAGENTA),
-                (300, 280, CYAN),
-            ],
+            &[(300, 150, GREEN), (250, 200, GREEN), (500, 160, MAGENTA), (300, 280, CYAN)],
         );
         // S is 150.47: between two squares where it is filtered.
         if !bilinear {
