@@ -204,7 +204,10 @@ impl Device {
 
     /// `V_SetDisplayLinebytes`.
     pub fn set_display_linebytes(&mut self, linebytes: u32) -> Result<(), VError> {
-        if linebytes == 0 || linebytes > self.config.chip.max_pitch() || linebytes % 4 != 0 {
+        if linebytes == 0
+            || linebytes > self.config.chip.max_pitch()
+            || !linebytes.is_multiple_of(4)
+        {
             return Err(VError::ParamError);
         }
         self.worker.chip().scanout.linebytes = linebytes;
@@ -549,7 +552,7 @@ impl Device {
             return Err(VError::ParamError);
         }
         let format = group.buffer_format(buffer);
-        if format.bits() == 4 && at[0] % 2 != 0 {
+        if format.bits() == 4 && !at[0].is_multiple_of(2) {
             return Err(VError::ParamError);
         }
         let row = format.row_bytes(size[0]) as u32;

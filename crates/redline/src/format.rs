@@ -138,7 +138,7 @@ fn widen(value: u32, bits: u32, pad: bool) -> u32 {
 /// Source: RR, pixel formats, colour padding.
 pub fn unpack(format: PixFmt, pixel: u32, pad: bool) -> u32 {
     if format == PixFmt::Gray8 {
-        return 0xff00_0000 | (pixel & 0xff) * 0x1_0101;
+        return 0xff00_0000 | ((pixel & 0xff) * 0x1_0101);
     }
     let [a, r, g, b] = format.channels();
     let mut shift = 0;
@@ -209,7 +209,7 @@ mod tests {
         assert_eq!(unpack(PixFmt::Rgb565, 0xffff, false), 0xfff8_fcf8);
         assert_eq!(unpack(PixFmt::Argb1555, 0x8000, true), 0xff00_0000);
         assert_eq!(unpack(PixFmt::Alpha8, 0x40, true), 0x40ff_ffff);
-        assert_eq!(unpack(PixFmt::Rgb332, 0b111_000_11, true), 0xffff_00ff);
+        assert_eq!(unpack(PixFmt::Rgb332, 0b1110_0011, true), 0xffff_00ff);
     }
 
     #[test]

@@ -327,7 +327,7 @@ impl Targets {
         for at in 0..self.residents.len() {
             let resident = &self.residents[at];
             // Of pixels that are written in part the rest must be in memory.
-            let cut = |at: u64| at % u64::from(resident.place.kind.bytes()) != 0;
+            let cut = |at: u64| !at.is_multiple_of(u64::from(resident.place.kind.bytes()));
             let base = u64::from(resident.area.base);
             let ragged =
                 cut(line.end().wrapping_sub(base)) || cut(u64::from(address).wrapping_sub(base));
@@ -409,7 +409,7 @@ impl Resident {
         }
         let (x, y) = (offset % self.area.pitch, offset / self.area.pitch);
         let fits = x + area.row <= self.area.row && y + area.rows <= self.area.rows;
-        if !fits || x % bytes != 0 || area.row % bytes != 0 {
+        if !fits || x % bytes != 0 || !area.row.is_multiple_of(bytes) {
             return None;
         }
         Some(Rect::new(x / bytes, y, (x + area.row) / bytes, y + area.rows))
