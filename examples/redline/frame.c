@@ -6,7 +6,7 @@
  * loads texels from locked memory. The triangles are written into the command
  * buffers as words, with fog that grows with the distance.
  *
- * Source: RPG, "Caching" and "Optimizations".
+ * Source: RR, "Caching" and "Optimizations".
  */
 #include <math.h>
 #include "common.h"

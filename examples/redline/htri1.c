@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT OR Apache-2.0
  *
- * htri1: one red triangle on the full screen. Source: RPG, "Hello Triangle".
+ * htri1: one red triangle on the full screen. Source: RR, "Hello Triangle".
  */
 #include "common.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT OR Apache-2.0
  *
  * htri2: the triangle in a window, on the full screen, and back after another
- * program had the chip. Source: RPG, "Switching between full-screen and
+ * program had the chip. Source: RR, "Switching between full-screen and
  * windowed mode".
  */
 #include "common.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT OR Apache-2.0
  *
  * htri3: two textured triangles, one repeating its texture, one clamping it.
- * Source: RPG, "Drawing a texture mapped triangle".
+ * Source: RR, "Drawing a texture mapped triangle".
  */
 #include "common.h"
 

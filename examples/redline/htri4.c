@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT OR Apache-2.0
  *
  * htri4: the triangles of htri3 with depth, so that the one drawn first is in
- * front, and with perspective. Source: RPG, "Z buffering and perspective
+ * front, and with perspective. Source: RR, "Z buffering and perspective
  * correction".
  */
 #include "common.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT OR Apache-2.0
  *
  * htri5: an opaque triangle and a half transparent one over it, by the alpha
- * of their texels. Source: RPG, "Alpha blending".
+ * of their texels. Source: RR, "Alpha blending".
  */
 #include "common.h"
 

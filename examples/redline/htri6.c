@@ -2,7 +2,7 @@
  *
  * htri6: highlights on the triangles of htri4: by the extension Specular, or
  * where the chip lacks it, by blending with a constant destination colour.
- * Source: RPG, "Specular extensions".
+ * Source: RR, "Specular extensions".
  */
 #include "common.h"
 

@@ -9,7 +9,7 @@
 //! are counted beside them: depths, blending and textures need them on both
 //! chips, and a frame cannot take less than they do.
 //!
-//! Source: RPG, choosing a vertex type, VL_Lookup, speed of light.
+//! Source: RR, choosing a vertex type, VL_Lookup, speed of light.
 
 use crate::board::Chip;
 use crate::format::PixFmt;
