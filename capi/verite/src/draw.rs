@@ -16,7 +16,7 @@ use crate::sink::recorded;
 /// # Safety
 /// `pointer` is null or points to so many words.
 pub(crate) unsafe fn words<'a>(pointer: *const u32, count: u64) -> &'a [u32] {
-    if pointer.is_null() || count > MAX_CMD_WORDS as u64 || pointer.addr() % 4 != 0 {
+    if pointer.is_null() || count > MAX_CMD_WORDS as u64 || !pointer.addr().is_multiple_of(4) {
         return &[];
     }
     // SAFETY: the caller's promise.

@@ -20,7 +20,7 @@ pub extern "C" fn V_AllocMemoryObject(device: Opaque, address: *mut u32, bytes: 
     value(device, std::ptr::null_mut(), |session| {
         let failed = |error| Failure::v(VRoutine::AllocMemoryObject, error);
         let open = session.device(device).ok_or(failed(VError::ParamError))?;
-        if address.is_null() || address.addr() % 4 != 0 {
+        if address.is_null() || !address.addr().is_multiple_of(4) {
             return Err(failed(VError::ParamError));
         }
         let memory = Memory::of(open, address.addr(), bytes);
@@ -36,7 +36,7 @@ pub extern "C" fn V_SetMemoryObject(memory: Opaque, address: *mut u32, bytes: u3
         let number = number(Kind::Memory, memory);
         let known = number.and_then(|number| session.memories.get_mut(number));
         let known = known.filter(|memory| !memory.is_ours());
-        let known = known.filter(|_| !address.is_null() && address.addr() % 4 == 0);
+        let known = known.filter(|_| !address.is_null() && address.addr().is_multiple_of(4));
         let failed = Failure::v(VRoutine::AllocMemoryObject, VError::ParamError);
         known.ok_or(failed)?.point(address.addr(), bytes);
         Ok(())

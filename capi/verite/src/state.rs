@@ -248,7 +248,7 @@ pub unsafe extern "C" fn VL_SetTexturePalette(
 #[unsafe(export_name = "redline_ContextInit")]
 pub unsafe extern "C" fn VL_ContextInit(cmdbuffer: *mut Opaque) -> c_int {
     // SAFETY: the caller's promise.
-    unsafe { recorded(cmdbuffer, VlRoutine::ContextInit, |sink| record::context_init(sink)) }
+    unsafe { recorded(cmdbuffer, VlRoutine::ContextInit, record::context_init) }
 }
 
 /// Records a wait until the last flip is seen.
@@ -259,7 +259,7 @@ pub unsafe extern "C" fn VL_ContextInit(cmdbuffer: *mut Opaque) -> c_int {
 pub unsafe extern "C" fn VL_WaitForDisplaySwitch(cmdbuffer: *mut Opaque) -> c_int {
     let routine = VlRoutine::WaitForDisplaySwitch;
     // SAFETY: the caller's promise.
-    unsafe { recorded(cmdbuffer, routine, |sink| record::wait_for_display_switch(sink)) }
+    unsafe { recorded(cmdbuffer, routine, record::wait_for_display_switch) }
 }
 
 /// Records a number for whoever reads the stream.
