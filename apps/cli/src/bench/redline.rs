@@ -92,7 +92,7 @@ impl Prepared {
             make(&Call::CreateSurface { device, mask: 0, buffers: 1, format, width, height })?;
         let buffer = make(&Call::CreateCmdBuffer { device, entries: 4, words: WORDS as i32 })?;
         let (vertex, vertices) = vertices(kind, size);
-        let colors = (0..LAYERS).map(|layer| 0xff00_0000 | layer * 0x000b_0703).collect();
+        let colors = (0..LAYERS).map(|layer| 0xff00_0000 | (layer * 0x000b_0703)).collect();
         let commands = CommandBuffer::new(buffer, 4, WORDS).map_err(anyhow::Error::msg)?;
         let count = match kind {
             Kind::Submit | Kind::Small => SMALL as f64,

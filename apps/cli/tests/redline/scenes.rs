@@ -24,9 +24,12 @@ const BLUE: [u8; 3] = [0, 0, 255];
 const MAGENTA: [u8; 3] = [255, 0, 255];
 const CYAN: [u8; 3] = [0, 255, 255];
 
+/// Column, row and colour.
+type Sample = (u32, u32, [u8; 3]);
+
 /// Columns, rows and colours that a scene has with point filtering, computed
 /// from the guide's numbers.
-const SAMPLES: [(&str, &[(u32, u32, [u8; 3])]); 4] = [
+const SAMPLES: [(&str, &[Sample]); 4] = [
     ("htri1", &[(250, 150, RED), (120, 250, BLACK)]),
     ("htri2", &[(250, 150, RED), (120, 250, BLACK)]),
     (
