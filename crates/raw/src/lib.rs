@@ -16,7 +16,6 @@ mod context;
 pub mod device;
 mod errata;
 mod error;
-pub mod fast;
 pub mod framebuffer;
 pub mod host;
 #[doc(hidden)]
@@ -24,6 +23,7 @@ pub mod hostile;
 pub mod matrix;
 pub mod observer;
 pub mod opcode;
+mod painter;
 pub mod protocol;
 pub mod scenes;
 pub mod serve;

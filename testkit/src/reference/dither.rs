@@ -62,7 +62,11 @@ pub fn pack(format: PixelFormat, argb: u32, dither: Dither, x: u32, row: u32) ->
         PixelFormat::Argb4444 => {
             (a >> 4) << 12 | to_4(r, add) << 8 | to_4(g, add) << 4 | to_4(b, add)
         }
-        PixelFormat::Argb8888 | PixelFormat::Palette | PixelFormat::Aux16 => argb,
+        PixelFormat::Argb8888
+        | PixelFormat::Palette
+        | PixelFormat::Aux16
+        | PixelFormat::Rgbx8888
+        | PixelFormat::Depth32 => argb,
     }
 }
 
@@ -84,6 +88,10 @@ pub fn unpack(format: PixelFormat, element: u32) -> [i32; 4] {
             [five(10), five(5), five(0), (element >> 15 & 1) * 255].map(|c| c as i32)
         }
         PixelFormat::Argb4444 => [four(8), four(4), four(0), four(12)].map(|c| c as i32),
-        PixelFormat::Argb8888 | PixelFormat::Palette | PixelFormat::Aux16 => channels(element),
+        PixelFormat::Argb8888
+        | PixelFormat::Palette
+        | PixelFormat::Aux16
+        | PixelFormat::Rgbx8888
+        | PixelFormat::Depth32 => channels(element),
     }
 }

@@ -3,7 +3,7 @@
 use super::{Device, FlushReason, SurfaceId};
 use crate::error::EngineError;
 use crate::state::Rect;
-use crate::target::{PixelFormat, Surface};
+use crate::target::Surface;
 
 impl Device {
     /// A surface, up to date. A flush.
@@ -66,7 +66,7 @@ impl Device {
     fn surface16(&mut self, id: SurfaceId) -> Result<&mut Surface, EngineError> {
         let surface = self.surface(id)?;
         match surface.format() {
-            format @ PixelFormat::Argb8888 => {
+            format if format.bytes() == 4 => {
                 Err(EngineError::WrongFormat { format, usage: "16-bit elements" })
             }
             _ => Ok(surface),

@@ -5,6 +5,7 @@ pub(crate) mod arena;
 mod access;
 mod flush;
 mod palette;
+mod raw;
 
 use std::sync::Arc;
 
@@ -186,7 +187,7 @@ impl Device {
         }
         if let Some(aux) = aux {
             let aux = self.peek(aux)?;
-            if aux.format() != PixelFormat::Aux16 {
+            if !matches!(aux.format(), PixelFormat::Aux16 | PixelFormat::Depth32) {
                 return Err(EngineError::WrongFormat { format: aux.format(), usage: "aux" });
             }
             let size = |s: &Surface| (s.width(), s.height());
@@ -258,7 +259,7 @@ impl Device {
     /// those without a depth, are dropped.
     pub fn draw_pixels(&mut self, run: &PixelRun<'_>) {
         let Some(state) = self.use_state() else { return };
-        let has_aux = self.aux.is_some();
+        let has_aux = self.has_aux16();
         let batch = self.arena.states.get_mut(state);
         let (width, height) = (batch.screen.width, batch.screen.height);
         if run.x >= width || run.y >= height {
@@ -320,10 +321,17 @@ impl Device {
             return Some(state);
         }
         let (state, textures) = &self.current;
+        let has_aux = self.has_aux16();
         let target = self.surfaces.get(self.color?.0 as usize)?.as_ref()?;
-        let index = self.arena.states.find(state, textures, target, self.aux.is_some(), self.scale);
+        let index = self.arena.states.find(state, textures, target, has_aux, self.scale);
         self.state = Some(index);
         Some(index)
+    }
+
+    /// Whether there is an aux surface that the chips' pipelines can use.
+    fn has_aux16(&self) -> bool {
+        let aux = self.aux.and_then(|id| self.peek(id).ok());
+        aux.is_some_and(|aux| aux.format() == PixelFormat::Aux16)
     }
 
     fn make_room(&mut self) {

@@ -31,7 +31,11 @@ fn unpack<S: Simd>(s: S, format: PixelFormat, p: S::I) -> [S::I; 2] {
             let ga = (p.shr(4) & s.splat(15)) | (p & s.splat(0xf000)).shl(4);
             [rb.shl16(4) | rb, ga.shl16(4) | ga]
         }
-        PixelFormat::Argb8888 | PixelFormat::Palette | PixelFormat::Aux16 => {
+        PixelFormat::Argb8888
+        | PixelFormat::Palette
+        | PixelFormat::Aux16
+        | PixelFormat::Rgbx8888
+        | PixelFormat::Depth32 => {
             let rb = (p.shr(16) & s.splat(0xff)) | (p & s.splat(0xff)).shl(16);
             let ga = (p.shr(8) & s.splat(0xff)) | (p.shr(24)).shl(16);
             [rb, ga]
@@ -76,7 +80,11 @@ pub(super) fn pack<S: Simd>(
             let color = (rb & s.splat(15)).shl(8) | (g & s.splat(15)).shl(4) | rb.shr(16);
             color | alpha.shr(4).shl(12)
         }
-        PixelFormat::Argb8888 | PixelFormat::Palette | PixelFormat::Aux16 => {
+        PixelFormat::Argb8888
+        | PixelFormat::Palette
+        | PixelFormat::Aux16
+        | PixelFormat::Rgbx8888
+        | PixelFormat::Depth32 => {
             alpha.shl(24) | (rb & s.splat(0xff)).shl(16) | (ga & s.splat(0xff)).shl(8) | rb.shr(16)
         }
     }

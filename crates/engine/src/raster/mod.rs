@@ -4,6 +4,7 @@
 mod coverage;
 mod depth_range;
 mod palette;
+mod raw;
 mod tile;
 
 pub(crate) use tile::TilePainter;

@@ -5,6 +5,7 @@ use fillrate_simd::Simd;
 use super::coverage::{FULL, TileCoverage, compact_stamp, is_small, rect_mask};
 use super::depth_range::{depth_range, is_hidden, update_bounds};
 use super::palette::{PaletteTile, draw_shape};
+use super::raw::{RawScratch, RawTile, draw_raw};
 use crate::bins::{Chunk, Entry, Grid};
 use crate::device::arena::{Arena, BatchState, Clear, Pixel, Run};
 use crate::kernel::block::{Block, SLOTS, STAMP, Slot};
@@ -31,6 +32,7 @@ pub(crate) struct TilePainter<'a, S: Simd> {
     current: Option<Current<'a>>,
     /// Slots of the block that other triangles than the current one hold.
     foreign: usize,
+    raw: RawScratch,
 }
 
 /// A draw state in use.
@@ -86,6 +88,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             list: StageList::new(),
             current: None,
             foreign: 0,
+            raw: RawScratch::new(),
         }
     }
 
@@ -112,6 +115,10 @@ impl<'a, S: Simd> TilePainter<'a, S> {
                     Entry::Shape(i) => {
                         self.finish(&chunk.triangles, &mut target);
                         self.shape(&chunk.shapes[i as usize], &mut target);
+                    }
+                    Entry::Raw(i) => {
+                        self.finish(&chunk.triangles, &mut target);
+                        self.raw(chunk, i, &mut target);
                     }
                     Entry::Clear(i) => {
                         self.finish(&chunk.triangles, &mut target);
@@ -357,6 +364,21 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             counters: &mut self.counters,
         };
         draw_shape(self.s, &self.arena.palettes[shape.state as usize], shape, tile);
+    }
+
+    /// Draws a shape of the Raw profile.
+    #[inline(always)]
+    fn raw(&mut self, chunk: &Chunk, index: u32, target: &mut Target<'_>) {
+        let shape = &chunk.raws[index as usize];
+        let tile = RawTile {
+            rect: target.rect,
+            bits: self.grid.bits,
+            color: &mut *target.color,
+            depth: target.aux.as_deref_mut(),
+            counters: &mut self.counters,
+        };
+        let draw = &self.arena.raws[shape.state as usize];
+        draw_raw(self.s, draw, shape, &chunk.raw_rows, tile, &mut self.raw);
     }
 
     /// Fills a part of the tile, or all of it later.

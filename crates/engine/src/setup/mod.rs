@@ -3,6 +3,7 @@
 mod launch;
 mod palette;
 mod planes;
+mod raw;
 mod registers;
 mod sst1;
 mod vertex;
@@ -12,6 +13,8 @@ pub use palette::{PALETTE_COORDINATE, PalettePrimitive, PaletteVertex};
 pub(crate) use palette::{Plane32, Shape, Texels, prepare_palette};
 pub use planes::MAX_SCALE;
 pub(crate) use planes::{Edge, Narrow, Plane64, Screen, Triangle, Triangles, prepare};
+pub(crate) use raw::{ATTRIBUTES, RawShape, Slots, Steps, Values, Walk, prepare_raw, side_range};
+pub use raw::{RawPrimitive, RawVertex};
 pub use registers::{Param, Registers, WideParam};
 pub use sst1::{Cull, Outcome, triangle};
 pub(crate) use sst1::{Fate, set_up};

@@ -8,6 +8,7 @@ mod depth;
 mod draw;
 mod fog;
 mod palette;
+mod raw;
 mod texture;
 
 pub use blend::{Blend, BlendFactor, DITHER_2X2, DITHER_4X4, Dither};
@@ -18,4 +19,8 @@ pub use depth::{AuxWrite, Compare, DepthSource, DepthState};
 pub use draw::{AlphaTest, DrawState, Origin, Rect, Stipple};
 pub use fog::{Fog, FogAmount, FogTable};
 pub use palette::{PALETTE_BITS, PaletteBlend, PaletteDraw, PaletteState};
+pub(crate) use raw::RawLevel;
+pub use raw::{
+    RawAlpha, RawCombine, RawDraw, RawLight, RawMipmap, RawQuirks, RawState, RawTexture, RawTiling,
+};
 pub use texture::{Filter, LodRange, MAX_TMUS, TextureCombine, TextureFactor, TextureUnit};

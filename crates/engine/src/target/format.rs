@@ -16,6 +16,11 @@ pub enum PixelFormat {
     /// Colour, 16 bits, of a palette: base colour 7..0, intensity 12..8. Only
     /// the Quark profile draws into it; a clear takes the element as colour.
     Palette,
+    /// Colour, 32 bits: 0xRRGGBBxx. Only the Raw profile draws into it; a
+    /// clear takes the element as colour.
+    Rgbx8888,
+    /// Aux, 32 bits: signed depths of the Raw profile.
+    Depth32,
     /// Aux, 16 bits: depth (z or pseudo-float w), or alpha in the low byte.
     Aux16,
 }
@@ -24,14 +29,14 @@ impl PixelFormat {
     /// Bytes of one element.
     pub fn bytes(self) -> usize {
         match self {
-            PixelFormat::Argb8888 => 4,
+            PixelFormat::Argb8888 | PixelFormat::Rgbx8888 | PixelFormat::Depth32 => 4,
             _ => 2,
         }
     }
 
     /// Whether colours can be drawn into it.
     pub fn is_color(self) -> bool {
-        self != PixelFormat::Aux16
+        !matches!(self, PixelFormat::Aux16 | PixelFormat::Depth32)
     }
 }
 
@@ -41,7 +46,11 @@ fn widths(format: PixelFormat) -> [u32; 4] {
         PixelFormat::Rgb565 => [5, 6, 5, 0],
         PixelFormat::Argb1555 => [5, 5, 5, 1],
         PixelFormat::Argb4444 => [4, 4, 4, 4],
-        PixelFormat::Argb8888 | PixelFormat::Palette | PixelFormat::Aux16 => [8, 8, 8, 8],
+        PixelFormat::Argb8888
+        | PixelFormat::Palette
+        | PixelFormat::Aux16
+        | PixelFormat::Rgbx8888
+        | PixelFormat::Depth32 => [8, 8, 8, 8],
     }
 }
 
