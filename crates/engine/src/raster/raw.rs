@@ -348,12 +348,14 @@ impl WalkRun<'_> {
     /// gone.
     #[inline(always)]
     fn step<S: Simd, const KEEP: bool>(&mut self, s: S, lead: u32) {
-        let columns = [0x2222, 0x4444, 0x8888].map(|bits| s.mask(bits));
+        let (column1, column2, column3) = (s.mask(0x2222), s.mask(0x4444), s.mask(0x8888));
         let RawScratch { current, values, .. } = &mut *self.scratch;
         for i in 0..self.painter.slots().count {
             let dx = self.walk.dx[i];
-            let by = |column: u32| s.splat_g(if column > lead { dx } else { NOTHING });
-            let (by1, by2, by3, by4) = (by(1), by(2), by(3), s.splat_g(dx));
+            let by1 = s.splat_g(if lead < 1 { dx } else { NOTHING });
+            let by2 = s.splat_g(if lead < 2 { dx } else { NOTHING });
+            let by3 = s.splat_g(if lead < 3 { dx } else { NOTHING });
+            let by4 = s.splat_g(dx);
             for j in (0..STAMP).step_by(S::LANES) {
                 let at0 = s.load_g(&current[i][j..]);
                 let at1 = at0 + by1;
@@ -361,8 +363,8 @@ impl WalkRun<'_> {
                 let at3 = at2 + by3;
                 s.store_g(at3 + by4, &mut current[i][j..]);
                 if KEEP {
-                    let kept = at1.select(at0, columns[0]);
-                    let kept = at3.select(at2.select(kept, columns[1]), columns[2]);
+                    let kept = at1.select(at0, column1);
+                    let kept = at3.select(at2.select(kept, column2), column3);
                     s.store_g(kept, &mut values[i][j..]);
                 }
             }
@@ -388,15 +390,20 @@ fn advance<S: Simd, const N: usize>(
         // Sums of four rows are under way at a time.
         let (fours, rest) = rows.as_chunks_mut::<4>();
         for four in fours {
-            let mut lanes = [0, 1, 2, 3].map(|i: usize| s.load_g(&four[i][at..]));
+            let mut lanes0 = s.load_g(&four[0][at..]);
+            let mut lanes1 = s.load_g(&four[1][at..]);
+            let mut lanes2 = s.load_g(&four[2][at..]);
+            let mut lanes3 = s.load_g(&four[3][at..]);
             for _ in 0..columns {
-                for lanes in &mut lanes {
-                    *lanes = *lanes + step;
-                }
+                lanes0 = lanes0 + step;
+                lanes1 = lanes1 + step;
+                lanes2 = lanes2 + step;
+                lanes3 = lanes3 + step;
             }
-            for (row, lanes) in four.iter_mut().zip(lanes) {
-                s.store_g(lanes, &mut row[at..]);
-            }
+            s.store_g(lanes0, &mut four[0][at..]);
+            s.store_g(lanes1, &mut four[1][at..]);
+            s.store_g(lanes2, &mut four[2][at..]);
+            s.store_g(lanes3, &mut four[3][at..]);
         }
         for row in rest {
             let mut lanes = s.load_g(&row[at..]);

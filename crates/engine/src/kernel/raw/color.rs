@@ -49,9 +49,12 @@ impl<I: IntLanes> Pairs<I> {
         Pairs { ga: (self.ga & s.splat(0x00ff_0000)) | alpha, rb: self.rb }
     }
 
+    /// With alpha 0 where the other's alpha is 0.
     #[inline(always)]
-    pub fn select(self, other: Self, mask: I::M) -> Self {
-        Pairs { ga: self.ga.select(other.ga, mask), rb: self.rb.select(other.rb, mask) }
+    pub fn with_hole<S: Simd<I = I>>(self, s: S, other: Self) -> Self {
+        let empty = other.alpha(s).eq(s.splat(0));
+        let hole = self.with_alpha(s, s.splat(0));
+        Pairs { ga: hole.ga.select(self.ga, empty), rb: self.rb }
     }
 
     /// Channel by channel product.

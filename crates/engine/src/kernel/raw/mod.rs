@@ -201,37 +201,39 @@ impl<'a> RawPainter<'a> {
     #[inline(always)]
     fn color<S: Simd>(&self, s: S, values: &StampValues, j: usize) -> Pairs<S::I> {
         let state = &self.draw.state;
-        let slot = |i: usize| s.load_g(&values[i][j..]);
-        let w = match self.slots.w1() {
-            Some(w1) => s.splat_g(1.0) / slot(w1),
-            None => s.splat_g(0.0),
-        };
-        let byte = |i: usize| self.byte(s, slot(i) * w, state.quirks.channels_wrap);
+        let at = Fragment { values, j, w: self.w(s, values, j) };
+        let wraps = state.quirks.channels_wrap;
         let base = match self.slots.red() {
             Some(red) => {
-                let alpha = self.slots.alpha().map_or(s.splat(0), &byte);
-                Pairs::from_channels(byte(red), byte(red + 1), byte(red + 2), alpha)
+                let alpha = match self.slots.alpha() {
+                    Some(alpha) => at.byte(s, alpha, wraps),
+                    None => s.splat(0),
+                };
+                at.color(s, red, alpha, wraps)
             }
             None => Pairs::splat(s, self.shape.color),
         };
         let texel = match (&self.sampler, self.slots.u()) {
             (Some(sampler), Some(u)) => {
-                sampler.sample(s, [slot(u) * w, slot(u + 1) * w], w, self.steps.as_ref())
+                let uv = [at.value(s, u), at.value(s, u + 1)];
+                sampler.sample(s, uv, at.w, self.steps.as_ref())
             }
             _ => Pairs::splat(s, 0),
         };
         let color = self.combine(s, base, texel);
         match &state.light {
-            Some(light) => self.light(s, light, color, (values, j), w),
+            Some(light) => self.light(s, light, color, &at),
             None => color,
         }
     }
 
-    /// Channels rounded to bytes.
+    /// w of fragments `j..` of a stamp, where something is interpolated.
     #[inline(always)]
-    fn byte<S: Simd>(&self, s: S, value: S::G, wraps: bool) -> S::I {
-        let rounded = (value + s.splat_g(0.5)).to_i32();
-        if wraps { rounded & s.splat(0xff) } else { rounded.max(s.splat(0)).min(s.splat(255)) }
+    fn w<S: Simd>(&self, s: S, values: &StampValues, j: usize) -> S::G {
+        match self.slots.w1() {
+            Some(w1) => s.splat_g(1.0) / s.load_g(&values[w1][j..]),
+            None => s.splat_g(0.0),
+        }
     }
 
     /// An alpha as its rule counts it.
@@ -262,15 +264,11 @@ impl<'a> RawPainter<'a> {
             RawCombine::ColorDecal => self.decal(s, base, texel),
             RawCombine::Blend => {
                 // A hard hole in one layer stays a hole in the blend.
-                let hole = |layer: Pairs<S::I>, other: Pairs<S::I>| {
-                    let empty = layer.alpha(s).eq(s.splat(0));
-                    other.with_alpha(s, s.splat(0)).select(other, empty)
-                };
                 if state.texel_alpha == RawAlpha::Hard {
-                    base = hole(texel, base);
+                    base = base.with_hole(s, texel);
                 }
                 if state.color_alpha == RawAlpha::Hard {
-                    texel = hole(base, texel);
+                    texel = texel.with_hole(s, base);
                 }
                 base.mix(s, texel, s.splat(state.balance.into()))
             }
@@ -293,18 +291,16 @@ impl<'a> RawPainter<'a> {
         s: S,
         light: &RawLight,
         color: Pairs<S::I>,
-        (values, j): (&StampValues, usize),
-        w: S::G,
+        at: &Fragment<'_, S>,
     ) -> Pairs<S::I> {
         let wraps = self.draw.state.quirks.channels_wrap;
-        let slot = |i: usize| s.load_g(&values[i][j..]);
         let mut lit = Pairs::splat(s, 0);
         if let Some(ambient) = light.ambient {
             lit = Pairs::splat(s, ambient).modulate(s, color);
         }
         if let Some(direct) = light.direct {
             let intensity = match self.slots.intensity() {
-                Some(i) => slot(i) * w,
+                Some(i) => at.value(s, i),
                 None => s.splat_g(self.shape.intensity),
             };
             let scaled = intensity * s.splat_g(256.0);
@@ -318,13 +314,41 @@ impl<'a> RawPainter<'a> {
             lit = lit.add(s, direct.modulate(s, color));
         }
         if let Some(more) = self.slots.more() {
-            let byte = |i: usize| self.byte(s, slot(more + i) * w, false);
-            let zero = s.splat(0);
-            let diffuse = Pairs::from_channels(byte(0), byte(1), byte(2), zero);
-            let specular = Pairs::from_channels(byte(3), byte(4), byte(5), zero);
+            let diffuse = at.color(s, more, s.splat(0), false);
+            let specular = at.color(s, more + 3, s.splat(0), false);
             lit = lit.add(s, diffuse.modulate(s, color)).add(s, specular);
         }
         lit.with_alpha(s, color.alpha(s))
+    }
+}
+
+/// Some of a stamp's fragments.
+struct Fragment<'a, S: Simd> {
+    values: &'a StampValues,
+    /// The first of them.
+    j: usize,
+    w: S::G,
+}
+
+impl<S: Simd> Fragment<'_, S> {
+    /// What a slot's attribute is.
+    #[inline(always)]
+    fn value(&self, s: S, slot: usize) -> S::G {
+        s.load_g(&self.values[slot][self.j..]) * self.w
+    }
+
+    /// The same rounded to a byte.
+    #[inline(always)]
+    fn byte(&self, s: S, slot: usize, wraps: bool) -> S::I {
+        let rounded = (self.value(s, slot) + s.splat_g(0.5)).to_i32();
+        if wraps { rounded & s.splat(0xff) } else { rounded.max(s.splat(0)).min(s.splat(255)) }
+    }
+
+    /// The colour of three slots.
+    #[inline(always)]
+    fn color(&self, s: S, red: usize, alpha: S::I, wraps: bool) -> Pairs<S::I> {
+        let (r, g) = (self.byte(s, red, wraps), self.byte(s, red + 1, wraps));
+        Pairs::from_channels(r, g, self.byte(s, red + 2, wraps), alpha)
     }
 }
 

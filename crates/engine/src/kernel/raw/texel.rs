@@ -125,8 +125,8 @@ impl<'a> Sampler<'a> {
                 let whole = lod.map(|lod| lod as u32);
                 let below = S::G::from_i32(s.load(&whole.map(|level| level as i32)));
                 fraction = s.load_g(&lod) - below;
-                levels = [0, 1]
-                    .map(|next| Levels::each(s, self.texture, &whole.map(|level| level + next)));
+                levels[0] = Levels::each(s, self.texture, &whole);
+                levels[1] = Levels::each(s, self.texture, &whole.map(|level| level + 1));
                 count = 2;
             }
         }
@@ -138,8 +138,9 @@ impl<'a> Sampler<'a> {
         if count == 1 {
             return texels[0];
         }
-        let rest = s.splat_g(1.0) - fraction;
-        per_channel(s, texels, |[a, b]| (a * rest + b * fraction).to_i32())
+        let fade = Fade::<S> { fine: s.splat_g(1.0) - fraction, coarse: fraction };
+        let [a, b] = texels;
+        Pairs { ga: fade.pairs(s, a.ga, b.ga), rb: fade.pairs(s, a.rb, b.rb) }
     }
 
     /// The level of each lane, with its fraction; the finest without steps.
@@ -153,9 +154,9 @@ impl<'a> Sampler<'a> {
         let mut lod = [0.0; MAX_LANES];
         let Some(steps) = steps else { return lod };
         let mut at = [[0.0; MAX_LANES]; 3];
-        for (lanes, to) in coordinates.into_iter().zip(&mut at) {
-            s.store_g(lanes, to);
-        }
+        s.store_g(coordinates[0], &mut at[0]);
+        s.store_g(coordinates[1], &mut at[1]);
+        s.store_g(coordinates[2], &mut at[2]);
         for (i, lod) in lod.iter_mut().enumerate().take(S::LANES) {
             let footprint = steps.footprint(at[0][i], at[1][i], at[2][i]);
             *lod = level_of_detail(self.texture, footprint);
@@ -185,22 +186,21 @@ impl<'a> Sampler<'a> {
     #[inline(always)]
     fn bilinear<S: Simd>(&self, s: S, levels: &Levels<S>, u: S::G, v: S::G) -> Pairs<S::I> {
         let (x, y) = (self.neighbours(s, u, &levels.u), self.neighbours(s, v, &levels.v));
-        let texels = [
-            self.fetch(s, levels, x.low, y.low),
-            self.fetch(s, levels, x.high, y.low),
-            self.fetch(s, levels, x.low, y.high),
-            self.fetch(s, levels, x.high, y.high),
-        ];
+        let a = self.fetch(s, levels, x.low, y.low);
+        let b = self.fetch(s, levels, x.high, y.low);
+        let c = self.fetch(s, levels, x.low, y.high);
+        let d = self.fetch(s, levels, x.high, y.high);
         let one = s.splat_g(1.0);
-        let (left, right) = (one - x.weight, x.weight);
-        let (above, below) = (one - y.weight, y.weight);
-        per_channel(s, texels, |[a, b, c, d]| {
-            // The upper row is cut to a byte before the second blend, the
-            // lower one is not.
-            let top = (a * left + b * right).to_i32() & s.splat(0xff);
-            let bottom = c * left + d * right;
-            (S::G::from_i32(top) * above + bottom * below).to_i32()
-        })
+        let filter = Filter::<S> {
+            left: one - x.weight,
+            right: x.weight,
+            above: one - y.weight,
+            below: y.weight,
+        };
+        Pairs {
+            ga: filter.pairs(s, a.ga, b.ga, c.ga, d.ga),
+            rb: filter.pairs(s, a.rb, b.rb, c.rb, d.rb),
+        }
     }
 
     #[inline(always)]
@@ -292,21 +292,60 @@ impl<'a> Sampler<'a> {
     }
 }
 
-/// Makes each channel of a colour from the same channel of others; the low byte
-/// of what `f` gives counts.
+/// Both channels of a pair as floats.
 #[inline(always)]
-fn per_channel<S: Simd, const N: usize>(
-    s: S,
-    colors: [Pairs<S::I>; N],
-    f: impl Fn([S::G; N]) -> S::I,
-) -> Pairs<S::I> {
-    let low = s.splat(0xff);
-    let both = |pairs: [S::I; N]| {
-        let first = f(pairs.map(|pair| S::G::from_i32(pair & low))) & low;
-        let second = f(pairs.map(|pair| S::G::from_i32(pair.shr(16)))) & low;
-        second.shl(16) | first
-    };
-    Pairs { ga: both(colors.map(|c| c.ga)), rb: both(colors.map(|c| c.rb)) }
+fn floats<S: Simd>(s: S, pair: S::I) -> [S::G; 2] {
+    [S::G::from_i32(pair & s.splat(0xff)), S::G::from_i32(pair.shr(16))]
+}
+
+/// A pair from the low bytes of two channels.
+#[inline(always)]
+fn pair<S: Simd>(s: S, low: S::I, high: S::I) -> S::I {
+    (low & s.splat(0xff)) | (high & s.splat(0xff)).shl(16)
+}
+
+/// Weights of two levels.
+#[derive(Clone, Copy)]
+struct Fade<S: Simd> {
+    fine: S::G,
+    coarse: S::G,
+}
+
+impl<S: Simd> Fade<S> {
+    #[inline(always)]
+    fn pairs(self, s: S, a: S::I, b: S::I) -> S::I {
+        let ([a0, a1], [b0, b1]) = (floats(s, a), floats(s, b));
+        let low = a0 * self.fine + b0 * self.coarse;
+        let high = a1 * self.fine + b1 * self.coarse;
+        pair(s, low.to_i32(), high.to_i32())
+    }
+}
+
+/// Weights of four neighbours.
+#[derive(Clone, Copy)]
+struct Filter<S: Simd> {
+    left: S::G,
+    right: S::G,
+    above: S::G,
+    below: S::G,
+}
+
+impl<S: Simd> Filter<S> {
+    #[inline(always)]
+    fn channel(self, s: S, a: S::G, b: S::G, c: S::G, d: S::G) -> S::I {
+        // The upper row is cut to a byte before the second blend, the lower
+        // one is not.
+        let top = (a * self.left + b * self.right).to_i32() & s.splat(0xff);
+        let bottom = c * self.left + d * self.right;
+        (S::G::from_i32(top) * self.above + bottom * self.below).to_i32()
+    }
+
+    #[inline(always)]
+    fn pairs(self, s: S, a: S::I, b: S::I, c: S::I, d: S::I) -> S::I {
+        let ([a0, a1], [b0, b1]) = (floats(s, a), floats(s, b));
+        let ([c0, c1], [d0, d1]) = (floats(s, c), floats(s, d));
+        pair(s, self.channel(s, a0, b0, c0, d0), self.channel(s, a1, b1, c1, d1))
+    }
 }
 
 /// Which level matches: the logarithm of how many texels of the finest level a
