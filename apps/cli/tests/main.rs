@@ -262,7 +262,7 @@ fn dependencies_point_one_way() {
         ("fillrate-engine", &["fillrate-simd"]),
         ("fillrate-glide", &["fillrate-engine", "fillrate-call"]),
         ("fillrate-settings", &["fillrate-glide", "fillrate-engine", "fillrate-simd"]),
-        ("fillrate-raw", &["fillrate-call"]),
+        ("fillrate-raw", &["fillrate-engine", "fillrate-simd", "fillrate-call"]),
         ("fillrate-quark", &["fillrate-engine", "fillrate-call"]),
         ("fillrate-trace", &["fillrate-call"]),
         ("fillrate-player", &["fillrate-call", "fillrate-trace"]),

@@ -49,7 +49,7 @@ pub struct Config {
     pub threads: usize,
     /// SIMD level of the threads. The picture is the same.
     pub level: Level,
-    /// Side of the tiles that threads share out. The picture is the same.
+    /// Side of the tiles that threads draw. The picture is the same.
     pub tile: TileSize,
 }
 

@@ -33,6 +33,9 @@ pub mod state;
 pub mod stream;
 pub mod texture;
 
+pub use fillrate_engine::target::TileSize;
+pub use fillrate_simd::Level;
+
 pub use context::{Context, Report, Shown, shown};
 pub use device::{Config, Device};
 pub use errata::Errata;

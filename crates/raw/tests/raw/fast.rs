@@ -1,14 +1,12 @@
 //! The fast path draws what the reference draws, bit for bit: whatever the modes and the errors kept,
 //! on however many threads, at every SIMD level, in tiles of every size.
 
-use fillrate_engine::target::TileSize;
 use fillrate_raw::call::Call;
 use fillrate_raw::client::Client;
 use fillrate_raw::host::Host;
 use fillrate_raw::opcode::Opcode;
 use fillrate_raw::stage::composite::Target;
-use fillrate_raw::{Config, Device, Errata, matrix, scenes};
-use fillrate_simd::Level;
+use fillrate_raw::{Config, Device, Errata, Level, TileSize, matrix, scenes};
 use proptest::prelude::*;
 
 /// Draws records on a device of this kind.
