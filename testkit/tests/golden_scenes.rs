@@ -29,7 +29,7 @@ fn quad(canvas: &mut dyn Canvas, [a, b, c, d]: [Vertex; 4]) {
 }
 
 fn clear(canvas: &mut dyn Canvas, color: u32, aux: u16) {
-    let values = ClearValues { color: Some((color, Dither::Off)), aux: Some(aux) };
+    let values = ClearValues { color: Some((color, Dither::Off)), aux: Some(u32::from(aux)) };
     canvas.clear(Rect::new(0, 0, SIDE, SIDE), values);
 }
 
@@ -62,6 +62,7 @@ fn coverage_fan() {
             destination_alpha: false,
             alpha_plane: false,
             subtract_dither: false,
+            ..Blend::default()
         };
         canvas.set_state(&DrawState { blend: Some(blend), ..DrawState::default() }, &NO_TEXTURES);
         fan(canvas, 23, 45.0);
@@ -227,6 +228,7 @@ fn blend_over_dithered() {
             destination_alpha: false,
             alpha_plane: false,
             subtract_dither: true,
+            ..Blend::default()
         };
         let dither = Dither::Ordered4x4;
         let state = DrawState { blend: Some(blend), dither, ..DrawState::default() };

@@ -264,6 +264,7 @@ fn dependencies_point_one_way() {
         ("fillrate-settings", &["fillrate-glide", "fillrate-engine", "fillrate-simd"]),
         ("fillrate-raw", &["fillrate-engine", "fillrate-simd", "fillrate-call"]),
         ("fillrate-quark", &["fillrate-engine", "fillrate-call"]),
+        ("fillrate-rave", &["fillrate-engine", "fillrate-call"]),
         ("fillrate-trace", &["fillrate-call"]),
         ("fillrate-player", &["fillrate-call", "fillrate-trace"]),
     ]);

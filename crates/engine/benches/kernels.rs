@@ -44,6 +44,7 @@ fn states() -> Vec<(&'static str, DrawState)> {
         destination_alpha: false,
         alpha_plane: false,
         subtract_dither: true,
+        ..Blend::default()
     };
     let fog = Fog {
         amount: FogAmount::Table,

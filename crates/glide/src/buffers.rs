@@ -34,8 +34,8 @@ impl Board {
         self.update();
         let on = |bit: u32| self.fbi.fbz_mode & bit != 0;
         let aux = match (on(fbz::AUX_WRITE), on(fbz::ALPHA_PLANES), on(fbz::DEPTH_ENABLE)) {
-            (true, true, _) => Some(u16::from(alpha)),
-            (true, false, true) => Some(depth),
+            (true, true, _) => Some(u32::from(alpha)),
+            (true, false, true) => Some(u32::from(depth)),
             _ => None,
         };
         let color = on(fbz::RGB_WRITE).then(|| (self.color(color), self.dither()));

@@ -100,7 +100,7 @@ impl Board {
         self.update();
         let on = |bit: u32| self.fbi.fbz_mode & bit != 0;
         let za = self.fbi.za_color;
-        let aux = if on(fbz::ALPHA_PLANES) { (za >> 24) as u16 } else { za as u16 };
+        let aux = if on(fbz::ALPHA_PLANES) { za >> 24 } else { za & 0xffff };
         let values = ClearValues {
             color: on(fbz::RGB_WRITE).then(|| (self.fbi.color1, self.dither())),
             aux: on(fbz::AUX_WRITE).then_some(aux),

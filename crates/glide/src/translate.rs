@@ -65,6 +65,7 @@ pub(crate) fn draw_state(
             (true, false) => Dither::Ordered4x4,
         },
         color_write: on(fbz::RGB_WRITE),
+        ..DrawState::default()
     }
 }
 
@@ -89,6 +90,7 @@ fn depth(fbi: &FbiRegisters) -> DepthState {
         test: on(fbz::DEPTH_ENABLE).then(|| compare(fbi.fbz_mode >> fbz::DEPTH_FUNCTION)),
         bias: on(fbz::DEPTH_BIAS).then_some(fbi.za_color as u16 as i16),
         compare_constant: on(fbz::COMPARE_CONSTANT).then_some(fbi.za_color as u16),
+        ..DepthState::default()
     }
 }
 
@@ -186,6 +188,7 @@ fn blend(fbi: &FbiRegisters) -> Option<Blend> {
         destination_alpha: mode >> 20 & 15 == 4,
         alpha_plane: on(fbz::ALPHA_PLANES),
         subtract_dither: on(fbz::SUBTRACT_DITHER) && on(fbz::DITHER),
+        ..Blend::default()
     })
 }
 
@@ -255,6 +258,7 @@ fn texture_unit(registers: &TmuRegisters) -> TextureUnit {
             color: combine_unit(mode >> texture_mode::COLOR_UNIT, texture_factor),
             alpha: combine_unit(mode >> texture_mode::ALPHA_UNIT, texture_factor),
         },
+        ..TextureUnit::default()
     }
 }
 

@@ -56,7 +56,7 @@ impl Painter {
     pub fn new(config: &Config) -> Result<Self, EngineError> {
         let Config { threads, level, tile, width, height, .. } = *config;
         let mut device = Device::new(DeviceConfig { threads, level, tile })?;
-        let formats = [PixelFormat::Rgbx8888, PixelFormat::Rgbx8888, PixelFormat::Depth32];
+        let formats = [PixelFormat::Rgbx8888, PixelFormat::Rgbx8888, PixelFormat::Aux32];
         let [a, b, z] = formats.map(|format| device.create_surface(width, height, format));
         Ok(Self {
             device,

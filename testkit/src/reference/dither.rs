@@ -38,8 +38,14 @@ fn amount(dither: Dither, x: u32, row: u32) -> Option<u32> {
     }
 }
 
+/// `bits` of 2 to 4; the channel's top bits and a dithered rest.
+fn to_few(bits: u32, value: u32, add: Option<u32>) -> u32 {
+    let scaled = (value >> (4 - bits)) - (value >> 4);
+    add.map_or(value >> (8 - bits), |add| (scaled + add) >> 4)
+}
+
 fn to_4(value: u32, add: Option<u32>) -> u32 {
-    add.map_or(value >> 4, |add| (value - (value >> 4) + add) >> 4)
+    to_few(4, value, add)
 }
 
 fn to_5(value: u32, add: Option<u32>) -> u32 {
@@ -62,11 +68,16 @@ pub fn pack(format: PixelFormat, argb: u32, dither: Dither, x: u32, row: u32) ->
         PixelFormat::Argb4444 => {
             (a >> 4) << 12 | to_4(r, add) << 8 | to_4(g, add) << 4 | to_4(b, add)
         }
+        PixelFormat::Xrgb1555 => to_5(r, add) << 10 | to_5(g, add) << 5 | to_5(b, add),
+        PixelFormat::Rgb332 => to_few(3, r, add) << 5 | to_few(3, g, add) << 2 | to_few(2, b, add),
+        PixelFormat::Gray8 => (r * 77 + g * 150 + b * 29 + 128) / 256,
+        PixelFormat::Alpha8 => a,
+        PixelFormat::Xrgb8888 => argb % (1 << 24),
         PixelFormat::Argb8888
         | PixelFormat::Palette
-        | PixelFormat::Aux16
         | PixelFormat::Rgbx8888
-        | PixelFormat::Depth32 => argb,
+        | PixelFormat::Aux16
+        | PixelFormat::Aux32 => argb,
     }
 }
 
@@ -88,10 +99,24 @@ pub fn unpack(format: PixelFormat, element: u32) -> [i32; 4] {
             [five(10), five(5), five(0), (element >> 15 & 1) * 255].map(|c| c as i32)
         }
         PixelFormat::Argb4444 => [four(8), four(4), four(0), four(12)].map(|c| c as i32),
+        PixelFormat::Xrgb1555 => [five(10), five(5), five(0), 255].map(|c| c as i32),
+        PixelFormat::Rgb332 => {
+            let three = |shift: u32| {
+                let value = element >> shift & 7;
+                value << 5 | value << 2 | value >> 1
+            };
+            [three(5), three(2), (element & 3) * 85, 255].map(|c| c as i32)
+        }
+        PixelFormat::Gray8 => [element, element, element, 255].map(|c| c as i32),
+        PixelFormat::Alpha8 => [255, 255, 255, element as i32],
+        PixelFormat::Xrgb8888 => {
+            let [r, g, b, _] = channels(element);
+            [r, g, b, 255]
+        }
         PixelFormat::Argb8888
         | PixelFormat::Palette
-        | PixelFormat::Aux16
         | PixelFormat::Rgbx8888
-        | PixelFormat::Depth32 => channels(element),
+        | PixelFormat::Aux16
+        | PixelFormat::Aux32 => channels(element),
     }
 }

@@ -15,7 +15,7 @@ use self::arena::{Arena, Clear, Command, Pixel, Run};
 use crate::bins::Chunk;
 use crate::error::EngineError;
 use crate::kernel::Pipeline;
-use crate::setup::{Cull, MAX_SCALE, Registers, Vertex};
+use crate::setup::{Cull, MAX_SCALE, Outcome, Registers, Vertex, VertexExtra, extended_triangle};
 use crate::state::{Dither, DrawState, MAX_TMUS, Origin, Rect};
 use crate::stats::{Counters, FlushStats};
 use crate::target::{PixelFormat, Surface, TileSize};
@@ -66,8 +66,8 @@ pub enum FlushReason {
 pub struct ClearValues {
     /// 0xAARRGGBB, reduced with this dithering; `None` leaves the colours.
     pub color: Option<(u32, Dither)>,
-    /// Written whole; `None` leaves the aux plane.
-    pub aux: Option<u16>,
+    /// Written whole, the low half into 16 bits; `None` leaves the aux plane.
+    pub aux: Option<u32>,
 }
 
 /// Ready-made fragments of one row. They skip texturing and combining, and
@@ -187,7 +187,7 @@ impl Device {
         }
         if let Some(aux) = aux {
             let aux = self.peek(aux)?;
-            if !matches!(aux.format(), PixelFormat::Aux16 | PixelFormat::Depth32) {
+            if aux.format().is_color() {
                 return Err(EngineError::WrongFormat { format: aux.format(), usage: "aux" });
             }
             let size = |s: &Surface| (s.width(), s.height());
@@ -242,6 +242,19 @@ impl Device {
         self.arena.commands.push(Command::Triangle { vertices: index, cull, state });
     }
 
+    /// Draws a triangle by the current state, later, with the second and third
+    /// colours, the fog factor and the deep z that the state may read. Those of
+    /// [`Device::draw_triangle`] are 0, the fog factor 255.
+    ///
+    /// Set up by the caller, so that the other way is faster where no state
+    /// reads these.
+    pub fn draw_extended(&mut self, vertices: [&Vertex; 3], extras: [&VertexExtra; 3], cull: Cull) {
+        match extended_triangle(vertices, extras, cull, MAX_TMUS) {
+            Outcome::Drawn(registers) => self.launch(&registers),
+            Outcome::Empty | Outcome::Culled => self.counters.triangles_in += 1,
+        }
+    }
+
     /// Draws a triangle that was set up elsewhere, later. Of its coordinates
     /// the low 16 bits count, sign-extended, as in the chip.
     pub fn launch(&mut self, registers: &Registers) {
@@ -259,7 +272,7 @@ impl Device {
     /// those without a depth, are dropped.
     pub fn draw_pixels(&mut self, run: &PixelRun<'_>) {
         let Some(state) = self.use_state() else { return };
-        let has_aux = self.has_aux16();
+        let aux = self.aux_format();
         let batch = self.arena.states.get_mut(state);
         let (width, height) = (batch.screen.width, batch.screen.height);
         if run.x >= width || run.y >= height {
@@ -270,7 +283,7 @@ impl Device {
             return;
         }
         batch.pixel_pipeline.get_or_insert_with(|| {
-            Box::new(Pipeline::for_pixels(&self.current.0, batch.format, has_aux))
+            Box::new(Pipeline::for_pixels(&self.current.0, batch.format, aux))
         });
         let y = match self.current.0.origin {
             Origin::UpperLeft => run.y,
@@ -321,23 +334,22 @@ impl Device {
             return Some(state);
         }
         let (state, textures) = &self.current;
-        let has_aux = self.has_aux16();
         let target = self.surfaces.get(self.color?.0 as usize)?.as_ref()?;
-        let index = self.arena.states.find(state, textures, target, has_aux, self.scale);
+        let aux = self.aux_format();
+        let index = self.arena.states.find(state, textures, target, aux, self.scale);
         self.state = Some(index);
         Some(index)
-    }
-
-    /// Whether there is an aux surface that the chips' pipelines can use.
-    fn has_aux16(&self) -> bool {
-        let aux = self.aux.and_then(|id| self.peek(id).ok());
-        aux.is_some_and(|aux| aux.format() == PixelFormat::Aux16)
     }
 
     fn make_room(&mut self) {
         if self.arena.is_full() {
             self.flush(FlushReason::Full);
         }
+    }
+
+    /// What the aux surface's elements are, where there is one.
+    fn aux_format(&self) -> Option<PixelFormat> {
+        self.aux.and_then(|id| self.peek(id).ok()).map(Surface::format)
     }
 
     /// A surface as it was at the last flush.

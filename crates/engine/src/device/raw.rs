@@ -10,7 +10,7 @@ use crate::target::{PixelFormat, Surface};
 impl Device {
     /// Draws a primitive of the Raw profile, later. The colour surface is
     /// [`PixelFormat::Rgbx8888`]; on others nothing is drawn. The aux surface,
-    /// where there is one, is [`PixelFormat::Depth32`]; without it there is no
+    /// where there is one, is [`PixelFormat::Aux32`]; without it there is no
     /// depth test.
     pub fn draw_raw(&mut self, draw: &RawDraw, primitive: RawPrimitive) {
         if !self.is_raw_target() {

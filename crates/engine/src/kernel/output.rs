@@ -4,10 +4,10 @@
 
 use fillrate_simd::{IntLanes, Simd};
 
-use super::block::{Block, STAMP};
-use super::lanes::{join, spread_alpha};
+use super::block::{Block, Colors, STAMP, Strip};
+use super::lanes::{div_255, join, spread_alpha};
 use super::{ColorTile, Pass, Tile};
-use crate::state::{AuxWrite, Blend, BlendFactor, Dither};
+use crate::state::{AlphaEquation, AuxWrite, Blend, BlendFactor, Dither, LogicOp};
 use crate::target::PixelFormat;
 
 /// Widens elements to (red, blue) and (green, alpha) by bit replication;
@@ -26,21 +26,49 @@ fn unpack<S: Simd>(s: S, format: PixelFormat, p: S::I) -> [S::I; 2] {
             let a = p.shl(16).sar(31) & s.splat(0x00ff_0000);
             [rb.shl16(3) | rb.shr16(2), g.shl(3) | g.shr(2) | a]
         }
+        PixelFormat::Xrgb1555 => {
+            let rb = (p.shr(10) & s.splat(31)) | (p & s.splat(31)).shl(16);
+            let g = p.shr(5) & s.splat(31);
+            [rb.shl16(3) | rb.shr16(2), g.shl(3) | g.shr(2) | s.splat(0x00ff_0000)]
+        }
         PixelFormat::Argb4444 => {
             let rb = (p.shr(8) & s.splat(15)) | (p & s.splat(15)).shl(16);
             let ga = (p.shr(4) & s.splat(15)) | (p & s.splat(0xf000)).shl(4);
             [rb.shl16(4) | rb, ga.shl16(4) | ga]
         }
+        PixelFormat::Xrgb8888 => {
+            let [rb, ga] = unpack_bytes(s, p);
+            [rb, ga | s.splat(0x00ff_0000)]
+        }
+        PixelFormat::Rgb332 => {
+            let (r, g, b) = (p.shr(5) & s.splat(7), p.shr(2) & s.splat(7), p & s.splat(3));
+            let rg = r | g.shl(16);
+            let rg = rg.shl16(5) | rg.shl16(2) | rg.shr16(1);
+            let rb = (rg & s.splat(0xff)) | b.mul(s.splat(85)).shl(16);
+            [rb, rg.shr(16) | s.splat(0x00ff_0000)]
+        }
+        PixelFormat::Gray8 => {
+            let gray = p & s.splat(0xff);
+            [gray | gray.shl(16), gray | s.splat(0x00ff_0000)]
+        }
+        PixelFormat::Alpha8 => {
+            let white = s.splat(0x00ff_00ff);
+            [white, join(s, white, p.shl(16) & white)]
+        }
         PixelFormat::Argb8888
         | PixelFormat::Palette
-        | PixelFormat::Aux16
         | PixelFormat::Rgbx8888
-        | PixelFormat::Depth32 => {
-            let rb = (p.shr(16) & s.splat(0xff)) | (p & s.splat(0xff)).shl(16);
-            let ga = (p.shr(8) & s.splat(0xff)) | (p.shr(24)).shl(16);
-            [rb, ga]
-        }
+        | PixelFormat::Aux16
+        | PixelFormat::Aux32 => unpack_bytes(s, p),
     }
+}
+
+/// 0xAARRGGBB as channel pairs.
+#[inline(always)]
+fn unpack_bytes<S: Simd>(s: S, p: S::I) -> [S::I; 2] {
+    let rb = (p.shr(16) & s.splat(0xff)) | (p & s.splat(0xff)).shl(16);
+    let ga = (p.shr(8) & s.splat(0xff)) | (p.shr(24)).shl(16);
+    [rb, ga]
 }
 
 /// Reduces channel pairs to `bits` bits, with the dither value `d` or by
@@ -51,7 +79,7 @@ fn reduce<S: Simd>(c: S::I, bits: u32, d: Option<S::I>) -> S::I {
     let scaled = match bits {
         6 => c.shl16(2).sub16(c.shr16(4)).add16(c.shr16(6)),
         5 => c.shl16(1).sub16(c.shr16(4)).add16(c.shr16(7)),
-        _ => c.sub16(c.shr16(4)),
+        _ => c.shr16(4 - bits).sub16(c.shr16(4)),
     };
     scaled.add16(d).shr16(4)
 }
@@ -80,11 +108,30 @@ pub(super) fn pack<S: Simd>(
             let color = (rb & s.splat(15)).shl(8) | (g & s.splat(15)).shl(4) | rb.shr(16);
             color | alpha.shr(4).shl(12)
         }
+        PixelFormat::Xrgb1555 => {
+            let (rb, g) = (reduce::<S>(rb, 5, d), reduce::<S>(ga, 5, d));
+            (rb & s.splat(31)).shl(10) | (g & s.splat(31)).shl(5) | rb.shr(16)
+        }
+        PixelFormat::Xrgb8888 => {
+            (rb & s.splat(0xff)).shl(16) | (ga & s.splat(0xff)).shl(8) | rb.shr(16)
+        }
+        PixelFormat::Rgb332 => {
+            let (r, g) = (reduce::<S>(rb, 3, d), reduce::<S>(ga, 3, d));
+            let b = reduce::<S>(rb, 2, d).shr(16);
+            (r & s.splat(7)).shl(5) | (g & s.splat(7)).shl(2) | b
+        }
+        PixelFormat::Gray8 => {
+            let (r, b) = (rb & s.splat(0xff), rb.shr(16));
+            let g = ga & s.splat(0xff);
+            let sum = r.mul(s.splat(77)) + g.mul(s.splat(150)) + b.mul(s.splat(29));
+            (sum + s.splat(128)).shr(8)
+        }
+        PixelFormat::Alpha8 => alpha,
         PixelFormat::Argb8888
         | PixelFormat::Palette
-        | PixelFormat::Aux16
         | PixelFormat::Rgbx8888
-        | PixelFormat::Depth32 => {
+        | PixelFormat::Aux16
+        | PixelFormat::Aux32 => {
             alpha.shl(24) | (rb & s.splat(0xff)).shl(16) | (ga & s.splat(0xff)).shl(8) | rb.shr(16)
         }
     }
@@ -115,6 +162,10 @@ fn factor<S: Simd>(s: S, factor: BlendFactor, o: &Operands<S>, other: &[S::I; 2]
         BlendFactor::OneMinusOtherColor => [whole.sub16(other[0]), whole.sub16(other[1])],
         BlendFactor::AlphaSaturate => {
             [source_alpha.min16(whole.sub16(destination_alpha)).add16(one); 2]
+        }
+        BlendFactor::OneMinusAlphaSaturate => {
+            let top = s.splat(0x00ff_00ff);
+            [whole.sub16(source_alpha.min16(top.sub16(destination_alpha))); 2]
         }
         BlendFactor::PrefogColor => [o.prefog[0].add16(one), o.prefog[1].add16(one)],
     }
@@ -154,7 +205,7 @@ fn destination<S: Simd>(
     j: usize,
 ) -> [S::I; 2] {
     let [mut rb, mut ga] = unpack(s, format, element);
-    if config.subtract_dither && format != PixelFormat::Argb8888 {
+    if config.subtract_dither && format.is_reduced() {
         let top = s.splat(0x00ff_00ff);
         let rest = s.load(&pass.pipeline.undither[j..]);
         rb = rb.add16(rest.shr16(1)).min16(top);
@@ -211,6 +262,58 @@ pub(crate) fn blend_stage<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, til
     }
 }
 
+/// Blends the fragments into `block.color` where the destination is constant
+/// or alpha has an equation of its own.
+#[inline(always)]
+pub(crate) fn blend_fully<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &Tile<'_>) {
+    let Some(config) = &pass.pipeline.state.blend else { return };
+    let fogged = pass.pipeline.state.fog.is_some();
+    let constant = Colors::splat(config.constant_destination.unwrap_or(0));
+    for slot in 0..block.count {
+        let at = block.slots[slot].at as usize;
+        for j in (0..STAMP).step_by(S::LANES) {
+            let k = slot * STAMP + j;
+            let source = [s.load(&block.color.rb.0[k..]), s.load(&block.color.ga.0[k..])];
+            let prefog = if fogged {
+                [s.load(&block.prefog.rb.0[k..]), s.load(&block.prefog.ga.0[k..])]
+            } else {
+                source
+            };
+            let destination = if config.constant_destination.is_some() {
+                [s.splat(constant.rb.0[0]), s.splat(constant.ga.0[0])]
+            } else {
+                let (element, format) = tile.color.elements(s, at + j);
+                let aux = tile.aux.get(at + j..).unwrap_or(&[]);
+                destination(s, pass, config, format, element, aux, j)
+            };
+            let operands = Operands { source, destination, prefog };
+            let [rb, g] = blend(s, config, &operands);
+            let alpha = blended_alpha(s, config, &operands, g);
+            s.store(rb, &mut block.color.rb.0[k..]);
+            s.store(join(s, g, alpha), &mut block.color.ga.0[k..]);
+        }
+    }
+}
+
+/// The alpha of a blend, in the high halves; `switched` holds that of its
+/// switches.
+#[inline(always)]
+fn blended_alpha<S: Simd>(s: S, config: &Blend, o: &Operands<S>, switched: S::I) -> S::I {
+    let (source, destination) = (o.source[1], o.destination[1]);
+    match config.alpha {
+        AlphaEquation::Switches => switched,
+        AlphaEquation::Factors => {
+            let fs = factor(s, config.source, o, &o.destination)[1];
+            let fd = factor(s, config.destination, o, &o.source)[1];
+            weighted_sum::<S>(source, fs, destination, fd)
+        }
+        AlphaEquation::Union => {
+            let top = s.splat(0x00ff_00ff);
+            top.sub16(div_255(s, top.sub16(source).mul16(top.sub16(destination))))
+        }
+    }
+}
+
 /// Counts and writes the fragments left where all have one colour.
 #[inline(always)]
 pub(crate) fn write_flat<S: Simd>(s: S, block: &Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
@@ -219,26 +322,89 @@ pub(crate) fn write_flat<S: Simd>(s: S, block: &Block, pass: &Pass<'_>, tile: &m
     tile.counters.pixels_out += u64::from(block.live.count_ones());
     for slot in 0..block.count {
         let to = &mut pixels[block.slots[slot].at as usize..][..STAMP];
-        let live = (block.live >> (slot * STAMP)) as u32 & 0xffff;
-        if live == 0xffff {
-            to.copy_from_slice(stamp);
-            continue;
-        }
+        copy_stamp(s, stamp, to, (block.live >> (slot * STAMP)) as u16);
+    }
+}
+
+/// The same for a strip.
+#[inline(always)]
+pub(crate) fn flat_strip<S: Simd>(s: S, strip: &Strip, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    let Some(stamp) = &pass.pipeline.flat else { return };
+    let ColorTile::Bits16(pixels, _) = &mut tile.color else { return };
+    tile.counters.pixels_out += strip.len();
+    for (live, to) in strip.live.iter().zip(strip.elements(pixels)) {
+        copy_stamp(s, stamp, to, *live);
+    }
+}
+
+#[inline(always)]
+fn copy_stamp<S: Simd>(s: S, stamp: &[u16; STAMP], to: &mut [u16], live: u16) {
+    if live == 0xffff {
+        to.copy_from_slice(stamp);
+        return;
+    }
+    for j in (0..STAMP).step_by(S::LANES) {
+        s.store16(s.load16(&stamp[j..]), &mut to[j..], s.mask(u32::from(live) >> j));
+    }
+}
+
+/// Counts the fragments left, and writes their alpha where the aux plane holds
+/// it.
+#[inline(always)]
+fn count<S: Simd>(s: S, block: &Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    tile.counters.pixels_out += u64::from(block.live.count_ones());
+    if pass.pipeline.state.aux_write == AuxWrite::Alpha && !tile.aux.is_empty() {
+        write_alpha(s, block, tile);
+    }
+}
+
+/// Counts and writes the fragments left where a logic operation joins them with
+/// what is there, or where some bits stay.
+#[inline(always)]
+pub(crate) fn write_bits<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    count(s, block, pass, tile);
+    let pipeline = pass.pipeline;
+    if !pipeline.state.color_write {
+        return;
+    }
+    let dithered = pipeline.state.dither != Dither::Off;
+    let mask = s.splat(pipeline.write_mask as i32);
+    for slot in 0..block.count {
+        let at = block.slots[slot].at as usize;
         for j in (0..STAMP).step_by(S::LANES) {
-            s.store16(s.load16(&stamp[j..]), &mut to[j..], s.mask(live >> j));
+            let k = slot * STAMP + j;
+            let live = s.mask((block.live >> k) as u32);
+            let color = [s.load(&block.color.rb.0[k..]), s.load(&block.color.ga.0[k..])];
+            let (old, format) = tile.color.elements(s, at + j);
+            let dither = dithered.then(|| s.load(&pipeline.dither[j..]));
+            let new = pack(s, format, color, dither);
+            let new = pipeline.logic_op.map_or(new, |op| logic(s, op, new, old));
+            let merged = old ^ ((old ^ new) & mask);
+            match &mut tile.color {
+                ColorTile::Bits16(pixels, _) => s.store16(merged, &mut pixels[at + j..], live),
+                ColorTile::Bits32(pixels, _) => s.store_masked(merged, &mut pixels[at + j..], live),
+            }
         }
     }
+}
+
+/// A logic operation on elements: the bits of its table whose index the
+/// operands' bits are.
+#[inline(always)]
+fn logic<S: Simd>(s: S, op: LogicOp, source: S::I, destination: S::I) -> S::I {
+    let ones = s.splat(-1);
+    let entry = |index: u32| s.splat(-i32::from(op.table() >> index & 1));
+    let with_source = (destination & entry(3)) | ((destination ^ ones) & entry(2));
+    let without = (destination & entry(1)) | ((destination ^ ones) & entry(0));
+    (source & with_source) | ((source ^ ones) & without)
 }
 
 /// Counts and writes the fragments left: colour, and alpha where the aux
 /// plane holds it.
 #[inline(always)]
 pub(crate) fn write<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    count(s, block, pass, tile);
     let state = &pass.pipeline.state;
-    tile.counters.pixels_out += u64::from(block.live.count_ones());
-    if state.aux_write == AuxWrite::Alpha && !tile.aux.is_empty() {
-        write_alpha(s, block, tile);
-    }
     if !state.color_write {
         return;
     }

@@ -4,7 +4,9 @@
 mod coverage;
 mod depth_range;
 mod palette;
+mod queue;
 mod raw;
+mod small;
 mod tile;
 
 pub(crate) use tile::TilePainter;

@@ -1,6 +1,7 @@
 //! From registers to what the tiles iterate: edges and attribute planes in
 //! screen coordinates.
 
+use super::extra::{BASE, Extra, ExtraNeeds, SPECULAR};
 use super::launch::{GROUP, Launch, NARROW, Params, wide_lane};
 use crate::fixed::COORD_FRACTION;
 use crate::kernel::texture::lod_base;
@@ -70,6 +71,7 @@ pub(crate) struct Plane64 {
 }
 
 impl Plane64 {
+    #[inline(always)]
     pub fn at(&self, x: i32, y: i32) -> i64 {
         self.c
             .wrapping_add(self.dx.wrapping_mul(i64::from(x)))
@@ -104,7 +106,8 @@ pub(crate) struct Triangle {
     /// Whether w, and s, t, w of the units in use, are small enough over
     /// `bounds` to be iterated in floats exactly.
     pub exact: bool,
-    /// Whether it is so small that 32 bits hold its edges' values at and around
+    /// Whether three edges alone tell its pixels, those beyond the screen's end
+    /// included, and it is so small that 32 bits hold their values at and around
     /// its pixels.
     pub compact: bool,
     /// First of its groups of 64-bit planes in [`Triangles`].
@@ -142,6 +145,22 @@ impl Triangles {
         let group = &self.wides[triangle.wide as usize + unit];
         let first = wide_lane(unit, 0).1;
         [group.plane(first), group.plane(first + 1), group.plane(first + 2)]
+    }
+
+    /// A colour of a triangle whose state reads it, 12.12 in the top 24 bits of
+    /// the low halves; `lane` is [`SPECULAR`] or [`BASE`], `units` how many
+    /// texture units iterate.
+    #[inline(always)]
+    pub fn extra_color(&self, triangle: &Triangle, units: usize, lane: usize) -> [Plane64; 4] {
+        let group = &self.wides[triangle.wide as usize + units.max(1) + lane / GROUP];
+        [group.plane(0), group.plane(1), group.plane(2), group.plane(3)]
+    }
+
+    /// Deep z of a triangle whose state reads it.
+    #[inline(always)]
+    pub fn deep_z(&self, triangle: &Triangle, units: usize, needs: ExtraNeeds) -> Plane64 {
+        let colors = if needs.colors { NARROW / GROUP } else { 0 };
+        self.wides[triangle.wide as usize + units.max(1) + colors].plane(0)
     }
 
     /// Tells the processor that a triangle is needed soon.
@@ -207,7 +226,7 @@ pub(crate) fn prepare<'a>(
         state,
         edge_count: 0,
         exact,
-        compact: is_compact(launch),
+        compact: is_compact(launch) && ends_at_stamps(&bounds, screen),
         wide,
         lod_base: lods,
         edges: [Edge::default(); 3],
@@ -216,6 +235,39 @@ pub(crate) fn prepare<'a>(
     add_edges(&mut triangle, launch, screen);
     out.list.push(triangle);
     out.list.last()
+}
+
+/// Appends the parameters that a state reads besides to the planes of the
+/// triangle prepared last.
+pub(crate) fn prepare_extra(
+    extra: &Extra,
+    launch: &Launch,
+    screen: &Screen,
+    needs: ExtraNeeds,
+    out: &mut Triangles,
+) {
+    let Some(triangle) = out.list.last_mut() else { return };
+    let planes = Corrected::new(launch, screen, &triangle.bounds);
+    if needs.colors {
+        let narrow = planes.narrow(&extra.colors);
+        out.wides.push(color_group(&narrow, SPECULAR, 0));
+        // The lanes that hold no colour of a launch are not in the top bits.
+        out.wides.push(color_group(&narrow, BASE, 8));
+    }
+    if needs.deep_z {
+        let limits = [W_LIMIT, f64::INFINITY, f64::INFINITY, f64::INFINITY];
+        let (group, below) = planes.wide(&extra.deep_z, &limits);
+        triangle.exact &= below;
+        out.wides.push(group);
+    }
+}
+
+/// Four 32-bit parameters as a group.
+fn color_group(narrow: &Narrow, first: usize, shift: u32) -> WideGroup {
+    let lanes = |from: &[i32; NARROW]| {
+        core::array::from_fn(|i| i64::from(from[first + i].wrapping_shl(shift)))
+    };
+    WideGroup { c: lanes(&narrow.c), dx: lanes(&narrow.dx), dy: lanes(&narrow.dy) }
 }
 
 #[inline(always)]
@@ -232,14 +284,36 @@ fn add_edges(triangle: &mut Triangle, launch: &Launch, screen: &Screen) {
             triangle.edge_count += 1;
         }
     }
+    if triangle.compact && triangle.edge_count < 3 {
+        // A level side: the bounds' first or last row.
+        let first = (a[1] == b[1]) == (screen.origin == Origin::UpperLeft);
+        let Rect { y0, y1, .. } = triangle.bounds;
+        triangle.edges[2] = match first {
+            true => Edge { a: 0, b: 1, c: -i64::from(y0) },
+            false => Edge { a: 0, b: -1, c: i64::from(y1) - 1 },
+        };
+        triangle.edge_count = 3;
+    }
 }
 
-/// Whether a triangle fits in 256 pixels each way.
+/// Whether a triangle fits in 256 pixels each way, and its corners' order and
+/// the sign of its area are as they should be: registers can say anything.
 #[inline(always)]
 fn is_compact(launch: &Launch) -> bool {
-    let [ax, bx, cx] = launch.x;
+    let ([ax, bx, cx], [ay, by, cy]) = (launch.x, launch.y);
     let width = ax.max(bx).max(cx) - ax.min(bx).min(cx);
-    width.max(launch.y[2] - launch.y[0]) < 256 << COORD_FRACTION
+    let small = width.max(cy - ay) < 256 << COORD_FRACTION;
+    let sorted = ay <= by && by <= cy;
+    // Below 2^13 each, where it counts.
+    let area = (bx - ax).wrapping_mul(cy - ay).wrapping_sub((cx - ax).wrapping_mul(by - ay));
+    small & sorted & ((area < 0) == launch.negative)
+}
+
+/// Whether no stamp that bounds touch reaches beyond the screen.
+#[inline(always)]
+fn ends_at_stamps(bounds: &Rect, screen: &Screen) -> bool {
+    let inside = |end: u32, size: u32| (end + STAMP - 1) & !(STAMP - 1) <= size;
+    inside(bounds.x1, screen.width) && inside(bounds.y1, screen.height)
 }
 
 /// The part of the screen that can be covered, or `None`.

@@ -48,4 +48,17 @@ pub struct Registers {
     pub w: WideParam,
     /// s/w, t/w and 1/w of each texture unit.
     pub tmu: [[WideParam; 3]; MAX_TMUS],
+    /// 12.12, a second colour, red, green and blue, and the part of the colour
+    /// that fog leaves, 255 all of it: see [`crate::state::Shade::specular`] and
+    /// [`crate::state::FogAmount::Iterated`]. They wrap as `color` does.
+    pub specular: [Param; 4],
+    /// 12.12, a third colour: see [`crate::state::DecalBase::Base`].
+    pub base: [Param; 3],
+    /// Depth, 32 fraction bits: see [`crate::state::DepthSource::DeepZ`].
+    pub deep_z: WideParam,
+}
+
+impl Registers {
+    /// The fog factor, the fourth value of `specular`, of triangles without fog.
+    pub const NO_FOG: Param = Param { start: 255 << 12, dx: 0, dy: 0 };
 }

@@ -1,7 +1,7 @@
 //! Float triangle set-up as Glide does it for the SST-1.
 
 use super::launch::{GROUP, Launch, NARROW, Params};
-use super::{Registers, Vertex};
+use super::{Param, Registers, Vertex, VertexExtra, WideParam};
 use crate::fixed;
 use crate::state::MAX_TMUS;
 
@@ -39,6 +39,16 @@ struct Deltas {
 }
 
 impl Deltas {
+    #[inline(always)]
+    fn new([a, b, c]: [&Vertex; 3], inverse: f32) -> Deltas {
+        Deltas {
+            dx_ab: (a.x - b.x) * inverse,
+            dy_ab: (a.y - b.y) * inverse,
+            dx_bc: (b.x - c.x) * inverse,
+            dy_bc: (b.y - c.y) * inverse,
+        }
+    }
+
     /// The steps per column and per row of parameters.
     #[inline(always)]
     fn gradients<const N: usize>(&self, [a, b, c]: [[f32; N]; 3]) -> [[f32; N]; 2] {
@@ -105,6 +115,53 @@ pub fn triangle(vertices: [&Vertex; 3], cull: Cull, units: usize) -> Outcome {
     }
 }
 
+/// [`triangle`], with what the vertices have besides. The gradients of
+/// `deep_z` are computed in double precision.
+pub fn extended_triangle(
+    vertices: [&Vertex; 3],
+    extras: [&VertexExtra; 3],
+    cull: Cull,
+    units: usize,
+) -> Outcome {
+    let mut outcome = triangle(vertices, cull, units);
+    if let Outcome::Drawn(registers) = &mut outcome {
+        let (order, _) = sort([vertices[0].y, vertices[1].y, vertices[2].y]);
+        extend(registers, order.map(|i| vertices[i]), order.map(|i| extras[i]));
+    }
+    outcome
+}
+
+/// Adds the parameters of sorted vertices that have an area.
+fn extend(registers: &mut Registers, vertices: [&Vertex; 3], extras: [&VertexExtra; 3]) {
+    let [a, b, c] = vertices;
+    let area = (a.x - b.x) * (b.y - c.y) - (b.x - c.x) * (a.y - b.y);
+    let colors = extras.map(|extra| {
+        let ([r, g, b], [u, v, w]) = (extra.specular, extra.base);
+        [r, g, b, extra.fog, u, v, w]
+    });
+    let steps = Deltas::new(vertices, 1.0 / area).gradients(colors);
+    let [start, dx, dy] = [colors[0], steps[0], steps[1]].map(fixed::twelve_bits);
+    let param = |i: usize| Param { start: start[i], dx: dx[i], dy: dy[i] };
+    registers.specular = [0, 1, 2, 3].map(param);
+    registers.base = [4, 5, 6].map(param);
+    registers.deep_z = deep_param(vertices, extras);
+}
+
+/// The plane of the deep z in double precision.
+fn deep_param(vertices: [&Vertex; 3], extras: [&VertexExtra; 3]) -> WideParam {
+    let [x, y] = [vertices.map(|v| f64::from(v.x)), vertices.map(|v| f64::from(v.y))];
+    let z = extras.map(|extra| extra.deep_z);
+    let sides = |v: [f64; 3]| [v[0] - v[1], v[1] - v[2]];
+    let ([x_ab, x_bc], [y_ab, y_bc], [z_ab, z_bc]) = (sides(x), sides(y), sides(z));
+    let area = x_ab * y_bc - x_bc * y_ab;
+    let wide = |value: f64| (value * (1u64 << fixed::WIDE_FRACTION) as f64) as i64;
+    WideParam {
+        start: wide(z[0]),
+        dx: wide((z_ab * y_bc - z_bc * y_ab) / area),
+        dy: wide((z_bc * x_ab - z_ab * x_bc) / area),
+    }
+}
+
 /// [`triangle`], into lanes.
 #[inline(always)]
 pub(crate) fn set_up(vertices: [&Vertex; 3], cull: Cull, units: usize, out: &mut Launch) -> Fate {
@@ -121,13 +178,7 @@ pub(crate) fn set_up(vertices: [&Vertex; 3], cull: Cull, units: usize, out: &mut
         (Cull::Negative, true) | (Cull::Positive, false) => return Fate::Culled,
         _ => {}
     }
-    let inverse = 1.0 / area;
-    let deltas = Deltas {
-        dx_ab: dx_ab * inverse,
-        dy_ab: dy_ab * inverse,
-        dx_bc: dx_bc * inverse,
-        dy_bc: dy_bc * inverse,
-    };
+    let deltas = Deltas::new([a, b, c], 1.0 / area);
     out.negative = negative;
     coordinates([a, b, c], out);
     let narrow = [narrow_lanes(a), narrow_lanes(b), narrow_lanes(c)];

@@ -14,6 +14,19 @@ pub struct TmuVertex {
     pub w: f32,
 }
 
+/// What a vertex has besides a [`Vertex`], for draw states that read it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct VertexExtra {
+    /// Red, green and blue of the second colour, 0..255.
+    pub specular: [f32; 3],
+    /// What fog leaves of the colour, 0..255; 255 is no fog.
+    pub fog: f32,
+    /// Red, green and blue of the third colour, 0..255.
+    pub base: [f32; 3],
+    /// Depth, 0..2^31.
+    pub deep_z: f64,
+}
+
 /// A vertex in screen space.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]

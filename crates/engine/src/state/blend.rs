@@ -26,10 +26,28 @@ pub enum BlendFactor {
     AlphaSaturate,
     /// The source colour before fog; only as destination factor.
     PrefogColor,
+    /// One minus the smaller of source alpha and one minus destination alpha,
+    /// the latter 255 - v here; only as source factor.
+    OneMinusAlphaSaturate,
+}
+
+/// Where the alpha of a blended colour comes from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum AlphaEquation {
+    /// By [`Blend::source_alpha`] and [`Blend::destination_alpha`].
+    #[default]
+    Switches,
+    /// As red, green and blue, by the same factors; where a factor is a colour,
+    /// that operand's alpha counts.
+    Factors,
+    /// `1 - (1 - source) * (1 - destination)`, to the nearest.
+    Union,
 }
 
 /// `(source * source factor + destination * destination factor) >> 8`,
 /// limited to 255.
+///
+/// The default writes the source.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Blend {
     /// Factor of the source colour.
@@ -45,6 +63,26 @@ pub struct Blend {
     /// Raises the destination by what dithering took from it on average
     /// before blending.
     pub subtract_dither: bool,
+    /// What the result's alpha is.
+    pub alpha: AlphaEquation,
+    /// Takes this 0xAARRGGBB as the destination instead of what the surface
+    /// holds.
+    pub constant_destination: Option<u32>,
+}
+
+impl Default for Blend {
+    fn default() -> Blend {
+        Blend {
+            source: BlendFactor::One,
+            destination: BlendFactor::Zero,
+            source_alpha: true,
+            destination_alpha: false,
+            alpha_plane: false,
+            subtract_dither: false,
+            alpha: AlphaEquation::Switches,
+            constant_destination: None,
+        }
+    }
 }
 
 /// How colours are reduced to the surface's bits.

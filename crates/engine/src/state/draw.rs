@@ -1,8 +1,8 @@
 //! The whole draw state.
 
 use super::{
-    AlphaCombine, AuxWrite, Blend, ColorCombine, Compare, DepthState, Dither, Fog, FogTable,
-    MAX_TMUS, TextureUnit,
+    AlphaCombine, AuxWrite, Blend, Channels, ColorCombine, Compare, DepthState, Dither, Fog,
+    FogTable, LogicOp, MAX_TMUS, Pattern, Shade, TextureUnit,
 };
 
 /// A rectangle of pixels: minima inclusive, maxima exclusive.
@@ -92,6 +92,8 @@ pub struct DrawState {
     pub clip: Option<Rect>,
     /// Stipple pattern.
     pub stipple: Option<Stipple>,
+    /// A pattern of lines or areas, apart from the stipple.
+    pub pattern: Option<Pattern>,
     /// Depth test.
     pub depth: DepthState,
     /// What the aux plane receives.
@@ -109,6 +111,8 @@ pub struct DrawState {
     pub color0: u32,
     /// The "other" constant.
     pub color1: u32,
+    /// What follows the combine units.
+    pub shade: Shade,
     /// Alpha test.
     pub alpha_test: Option<AlphaTest>,
     /// Fog.
@@ -119,6 +123,15 @@ pub struct DrawState {
     pub blend: Option<Blend>,
     /// Reduction to the surface's bits.
     pub dither: Dither,
+    /// Added to the screen column and row that choose the dither value.
+    pub dither_offset: [u8; 2],
+    /// A logic operation on the elements; not where `blend` is set.
+    pub logic_op: Option<LogicOp>,
+    /// The channels of the colour plane that are written; others keep what they
+    /// hold.
+    pub channels: Channels,
+    /// The bits of the colour plane's elements that are written, besides.
+    pub plane_mask: u32,
     /// Whether the colour plane is written.
     pub color_write: bool,
 }
@@ -135,6 +148,7 @@ impl Default for DrawState {
             origin: Origin::UpperLeft,
             clip: None,
             stipple: None,
+            pattern: None,
             depth: DepthState::default(),
             aux_write: AuxWrite::Nothing,
             units: [None; MAX_TMUS],
@@ -143,11 +157,16 @@ impl Default for DrawState {
             alpha_combine: AlphaCombine { unit: local, ..AlphaCombine::default() },
             color0: 0xffff_ffff,
             color1: 0xffff_ffff,
+            shade: Shade::default(),
             alpha_test: None,
             fog: None,
             fog_table: FogTable::default(),
             blend: None,
             dither: Dither::Off,
+            dither_offset: [0; 2],
+            logic_op: None,
+            channels: Channels::ALL,
+            plane_mask: u32::MAX,
             color_write: true,
         }
     }

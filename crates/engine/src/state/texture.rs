@@ -82,6 +82,17 @@ pub struct TextureUnit {
     pub odd_levels: Option<bool>,
     /// Inverts `one_minus` of the combine units where the level is odd.
     pub trilinear: bool,
+    /// Samples the selected level and the next coarser one, each with the filter
+    /// of its fragment, and mixes them by the fraction of the level of detail,
+    /// to the nearest. The logarithm of w in that level of detail is then the
+    /// linear one: 256 times the exponent plus the first 8 mantissa bits of w as
+    /// a float, so the level is exact where w is a power of two and at most
+    /// 0.09 too coarse between.
+    pub mix_levels: bool,
+    /// Drops fragments half of whose sample or more, by weight, is keyed texels:
+    /// see [`crate::Texture::with_key`]. With `mix_levels` those of the finer
+    /// level count.
+    pub drop_keyed: bool,
     /// Detail factor: limit 0..=255.
     pub detail_max: u8,
     /// Detail factor: level of detail at which it becomes 0, -32..=31.

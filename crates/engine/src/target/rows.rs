@@ -44,7 +44,7 @@ mod tests {
 
     #[test]
     fn rows_are_where_pixels_are() {
-        let mut surface = Surface::new(70, 37, PixelFormat::Depth32, TileSize::Small).unwrap();
+        let mut surface = Surface::new(70, 37, PixelFormat::Aux32, TileSize::Small).unwrap();
         surface.fill(9);
         let row: Vec<u32> = (0..70).map(|x| x * 0x0101_0101).collect();
         surface.write_row(33, &row);

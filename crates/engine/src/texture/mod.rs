@@ -51,7 +51,13 @@ pub struct Texture {
     desc: TextureDesc,
     levels: [Level; MAX_LEVELS],
     entries: Vec<u64>,
+    /// Which texels are keyed, in the same places: [`KEYED`] or 0.
+    keys: Vec<u64>,
 }
+
+/// The mark of a keyed texel: 64 or more of it is left of a sample half of whose
+/// weight or more is keyed.
+const KEYED: u32 = 0x80_0000;
 
 impl Texture {
     /// Builds a texture; `texels(level, out)` appends the level's texels as
@@ -70,7 +76,8 @@ impl Texture {
         if desc.first > desc.last || usize::from(desc.last) >= MAX_LEVELS {
             return Err(EngineError::TextureShape("levels are out of range"));
         }
-        let mut texture = Texture { desc, levels: [Level::default(); MAX_LEVELS], entries: vec![] };
+        let mut texture =
+            Texture { desc, levels: [Level::default(); MAX_LEVELS], entries: vec![], keys: vec![] };
         let mut data = Vec::new();
         for number in desc.first..=desc.last {
             data.clear();
@@ -104,6 +111,43 @@ impl Texture {
             self.entries.extend([0; ROW_PAD as usize]);
         }
         Ok(())
+    }
+
+    /// The same texels, some of which a draw state may drop: see
+    /// [`crate::state::TextureUnit::drop_keyed`]. `is_keyed` is asked for every
+    /// level, column and row. What keyed texels look like still counts in
+    /// filtered samples that are not dropped.
+    pub fn with_key(mut self, mut is_keyed: impl FnMut(u8, u32, u32) -> bool) -> Texture {
+        self.keys = vec![0; self.entries.len()];
+        for number in self.desc.first..=self.desc.last {
+            let Level { base, pitch, s_mask, t_mask, .. } = self.levels[usize::from(number)];
+            for row in 0..=t_mask {
+                let keyed: Vec<u32> = (0..=s_mask)
+                    .map(|column| if is_keyed(number, column, row) { KEYED } else { 0 })
+                    .collect();
+                let after_last = if self.desc.clamp_s { s_mask as usize } else { 0 };
+                let rights = keyed[1..].iter().chain([&keyed[after_last]]);
+                let first = (base + row * pitch) as usize;
+                for ((entry, &key), &right) in self.keys[first..].iter_mut().zip(&keyed).zip(rights)
+                {
+                    *entry = pair(key, right);
+                }
+            }
+        }
+        self
+    }
+
+    /// Whether a texel is keyed.
+    pub fn is_keyed(&self, number: usize, column: u32, row: u32) -> bool {
+        let level = self.level(number);
+        let at = (level.base + row * level.pitch + column) as usize;
+        self.keys.get(at).is_some_and(|entry| entry & 0xff != 0)
+    }
+
+    /// The entries of the texels' keys, in the places of the texels; empty where
+    /// none is keyed.
+    pub(crate) fn keys(&self) -> &[u64] {
+        &self.keys
     }
 
     /// The shape it was built with.

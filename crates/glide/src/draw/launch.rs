@@ -59,6 +59,7 @@ impl Ramp {
             z: param(4, fixed::depth),
             w: wide(5),
             tmu: core::array::from_fn(|unit| core::array::from_fn(|i| wide(6 + 3 * unit + i))),
+            ..Registers::default()
         }
     }
 }
