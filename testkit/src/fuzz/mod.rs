@@ -29,11 +29,14 @@ pub enum Target {
     Files,
     /// Streams of Quark 3D's calls.
     Quark,
+    /// Words, records and calls of Raw, to its renderers and its simulator.
+    Raw,
 }
 
 impl Target {
     /// All of them.
-    pub const ALL: [Target; 4] = [Target::Calls, Target::Textures, Target::Files, Target::Quark];
+    pub const ALL: [Target; 5] =
+        [Target::Calls, Target::Textures, Target::Files, Target::Quark, Target::Raw];
 
     /// The name on command lines.
     pub fn name(self) -> &'static str {
@@ -42,6 +45,15 @@ impl Target {
             Target::Textures => "textures",
             Target::Files => "files",
             Target::Quark => "quark",
+            Target::Raw => "raw",
+        }
+    }
+
+    /// The input of a seed: up to 4 KiB.
+    pub fn input(self, seed: u64) -> Vec<u8> {
+        match self {
+            Target::Raw => fillrate_raw::hostile::stream(seed),
+            _ => input(seed),
         }
     }
 }
@@ -75,6 +87,7 @@ impl Fuzzer {
             Target::Textures => run_texture(context, bytes),
             Target::Files => run_file(bytes),
             Target::Quark => drop(run_quark(bytes, 1)),
+            Target::Raw => fillrate_raw::hostile::feed(bytes),
         }
     }
 }
