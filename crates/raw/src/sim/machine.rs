@@ -33,6 +33,8 @@ pub enum FragMessage {
     Prim(PrimInfo, Ticket),
     /// A fragment of it.
     Frag(UntexFragment),
+    /// A fragment whose values are not divided by w yet.
+    Undivided(UntexFragment),
     /// A fragment that stage 2 has textured itself.
     Done(Fragment),
     /// A fragment that stage 4 is to texture.

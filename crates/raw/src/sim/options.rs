@@ -2,7 +2,7 @@
 
 use super::pipe::STEPS;
 use crate::stage::composite::Outcome;
-use crate::stage::raster::{Interpolants, RasterWork};
+use crate::stage::raster::Interpolants;
 use crate::state::ModeBits;
 
 macro_rules! options {
@@ -63,9 +63,11 @@ options! {
     /// The frame buffer and the depths have a bank and a port for each column; with the pixel
     /// pipeline, for every four columns.
     banked = false,
-    /// Stages 2 and 4 texture some of the fragments, so that the three are equally busy.
+    /// Stages 2 and 4 texture some of the fragments, or stage 3 divides some for stage 2, so that
+    /// the three are equally busy.
     shared_texturing = false,
-    /// Stage 1 walks the edges and sends rows of covered pixels.
+    /// Stage 1 walks the edges and sends rows of covered pixels, where that relieves the busiest
+    /// stage.
     walk_in_stage1 = false,
     /// The frame-buffer controller blends: it is sent colour and alpha, and reads what is there.
     blend_in_controller = false,
@@ -105,17 +107,12 @@ impl Options {
     }
 
     /// Of fifteen parts of testing a pixel, those that are needed: four for the test and one for
-    /// each plane stepped.
-    pub(super) fn visit_parts(&self, needs: Interpolants) -> u32 {
+    /// each plane stepped. `walked` says that stage 1 has walked the edges.
+    pub(super) fn visit_parts(&self, needs: Interpolants, walked: bool) -> u32 {
         let lanes = needs.planes() - u32::from(needs.z);
         let all = if self.lean_raster { (EDGE_PARTS + lanes).min(15) } else { 15 };
         // Without edges the count of the row's pixels is left to be tested.
-        if self.walk_in_stage1 { all - EDGE_PARTS + 1 } else { all }
-    }
-
-    /// What is walked in stage 2: where stage 1 walks the edges, covered pixels only.
-    pub(super) fn walked_below(&self, work: RasterWork) -> RasterWork {
-        if self.walk_in_stage1 { RasterWork { visited: work.covered, ..work } } else { work }
+        if walked { all - EDGE_PARTS + 1 } else { all }
     }
 
     /// Words of the state at the beginning of a primitive from stage 3 to 4: tag, mode and number,
@@ -163,6 +160,13 @@ impl Options {
             + 2 * u32::from(needs.uv)
             + u32::from(needs.color)
             + u32::from(needs.intensity)
+    }
+
+    /// Words of a fragment from stage 2 to 3 whose values are not divided: 1/w comes along, and
+    /// channels take a word each.
+    pub(super) fn undivided_words(&self, needs: Interpolants, follows: bool) -> u32 {
+        let channels = 2 * u32::from(needs.color) + u32::from(needs.alpha);
+        self.fragment_words(needs, follows) + channels + 1
     }
 
     /// Words of a fragment from stage 3 to 4: tag, place, depth, colour.

@@ -11,6 +11,7 @@ use super::cost::Burst;
 use super::machine::{Machine, PrimMessage, Tile, Wait};
 use super::options::EDGE_PARTS;
 use super::switch;
+use super::texturing::Division;
 use super::ticket::{Extent, Ticket};
 use crate::device::{MAX_FAULTS, READY, Replies};
 use crate::error::StreamError;
@@ -312,7 +313,7 @@ impl Stage1 {
                 further += 3 * needs.planes();
             }
         }
-        if m.options.walk_in_stage1 && work.visible {
+        if work.visible && Division::of(&m.costs, &m.options, &info).walked {
             further += self.walk(&parts);
         }
         let words = m.options.prim_words(info.mode, PRIM_WORDS) + further;

@@ -6,8 +6,9 @@ use super::charges;
 use super::machine::{FragMessage, Machine, PrimMessage, Wait};
 use super::texturing::{Division, Share, Texturing};
 use super::ticket::Ticket;
-use crate::stage::raster::{Interpolants, Rasterizer};
+use crate::stage::raster::{Interpolants, RasterWork, Rasterizer};
 use crate::stage::{TransPrim, UntexFragment};
+use crate::state::PrimInfo;
 
 struct Stage2 {
     m: Rc<Machine>,
@@ -16,6 +17,8 @@ struct Stage2 {
     texturing: Texturing,
     /// Who textures which fragment of the primitive.
     division: Division,
+    /// The primitive that it was decided for.
+    divided: Option<PrimInfo>,
 }
 
 /// Runs a stage-2 tile for good.
@@ -23,7 +26,7 @@ pub async fn run(m: Rc<Machine>, column: usize) {
     let above = m.tile_number(0, column);
     let texturing = Texturing::new(&m, 1, column);
     let division = Division::default();
-    let mut tile = Stage2 { m: Rc::clone(&m), column, texturing, division };
+    let mut tile = Stage2 { m: Rc::clone(&m), column, texturing, division, divided: None };
     loop {
         match m.receive(m.tile(1, column), &m.prims[column], Wait::Words(above)).await {
             PrimMessage::Flush(from) => {
@@ -51,7 +54,7 @@ impl Stage2 {
         let info = first.info;
         let received = m.options.prim_words(info.mode, 43).saturating_sub(3);
         m.work(tile, costs.s2.receive_word.times(received));
-        self.division = Division::of(costs, &m.options, &info);
+        self.divide(info);
         if m.options.shared_texturing {
             self.texturing.begin(info);
         }
@@ -63,19 +66,27 @@ impl Stage2 {
         self.send(FragMessage::End, 1).await;
     }
 
+    /// Decides who does what for the fragments of a primitive; for one like the last it is decided.
+    fn divide(&mut self, info: PrimInfo) {
+        if self.divided.replace(info).is_none_or(|last| !last.draws_like(&info)) {
+            self.division = Division::of(&self.m.costs, &self.m.options, &info);
+        }
+    }
+
     async fn walk(&mut self, part: &TransPrim) {
         let m = Rc::clone(&self.m);
         let (tile, costs) = (m.tile(1, self.column), &m.costs);
         let config = m.core.borrow().config;
         let mut walker = Rasterizer::new(part, config.width, config.height, &config.errata);
         let needs = walker.needs();
-        let visit = m.options.visit_parts(needs);
+        let walked = self.division.walked;
+        let visit = m.options.visit_parts(needs, walked);
         if !m.options.setup_in_stage1 {
             charges::setup(costs, needs, |burst| m.work(tile, burst));
         }
         let mut last = None;
         while let Some(fragment) = walker.next() {
-            let work = m.options.walked_below(walker.take_work());
+            let work = walked_here(walker.take_work(), walked);
             charges::walk(costs, work, visit, |burst| m.work(tile, burst));
             charges::cover(costs, needs, |burst| m.work(tile, burst));
             m.count(|c| c.frags += 1);
@@ -83,14 +94,23 @@ impl Stage2 {
                 == Some((fragment.x.wrapping_sub(1), fragment.y));
             self.hand_on(fragment, needs, follows).await;
         }
-        let work = m.options.walked_below(walker.take_work());
+        let work = walked_here(walker.take_work(), walked);
         charges::walk(costs, work, visit, |burst| m.work(tile, burst));
     }
 
     /// Sends a fragment to be textured, or textures it first.
     async fn hand_on(&mut self, fragment: UntexFragment, needs: Interpolants, follows: bool) {
         let words = self.m.options.fragment_words(needs, follows);
-        match self.division.next() {
+        let share = self.division.next();
+        if share != Share::Undivided {
+            let tile = self.m.tile(1, self.column);
+            charges::divide(&self.m.costs, needs, |burst| self.m.work(tile, burst));
+        }
+        match share {
+            Share::Undivided => {
+                let words = self.m.options.undivided_words(needs, follows);
+                self.send(FragMessage::Undivided(fragment), words).await;
+            }
             Share::Own => self.send(FragMessage::Frag(fragment), words).await,
             Share::Below => self.send(FragMessage::Later(fragment), words).await,
             Share::Above => {
@@ -100,4 +120,9 @@ impl Stage2 {
             }
         }
     }
+}
+
+/// What stage 2 walks: covered pixels only, where stage 1 has walked the edges.
+fn walked_here(work: RasterWork, walked: bool) -> RasterWork {
+    if walked { RasterWork { visited: work.covered, ..work } } else { work }
 }

@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use super::boot;
+use super::charges;
 use super::cost::Burst;
 use super::machine::{FragMessage, Machine, PixelMessage, Wait};
 use super::pipe::STEPS;
@@ -37,7 +38,8 @@ pub async fn run(m: Rc<Machine>, column: usize) {
                 let words = m.options.pixel_info_words(info.mode);
                 tile.send_all(|| PixelMessage::Prim(info, ticket), words).await;
             }
-            FragMessage::Frag(fragment) => tile.texture(&fragment).await,
+            FragMessage::Frag(fragment) => tile.texture(&fragment, false).await,
+            FragMessage::Undivided(fragment) => tile.texture(&fragment, true).await,
             FragMessage::Done(fragment) => tile.pass_done(fragment).await,
             FragMessage::Later(fragment) => tile.pass_later(fragment).await,
             FragMessage::End => tile.send_all(|| PixelMessage::End, 1).await,
@@ -76,14 +78,21 @@ impl Stage3 {
         self.last.replace((x, y)) == Some((x.wrapping_sub(1), y))
     }
 
-    async fn texture(&mut self, fragment: &UntexFragment) {
+    async fn texture(&mut self, fragment: &UntexFragment, undivided: bool) {
         let m = Rc::clone(&self.m);
         let follows = self.follows(fragment.x, fragment.y);
         let mode = self.texturing.info().mode;
-        let words_in = m.options.fragment_words(Interpolants::of(mode), follows);
+        let (tile, needs) = (m.tile(2, self.column), Interpolants::of(mode));
+        let words_in = match undivided {
+            true => m.options.undivided_words(needs, follows),
+            false => m.options.fragment_words(needs, follows),
+        };
         let words = m.options.pixel_words(mode, follows);
         let parts = m.options.transfer_parts(words_in, words);
-        m.work(m.tile(2, self.column), m.costs.s3.transfer.share(parts, 13));
+        m.work(tile, m.costs.s3.transfer.share(parts, 13));
+        if undivided {
+            charges::divide(&m.costs, needs, |burst| m.work(tile, burst));
+        }
         let fragment = self.texturing.finish(fragment);
         self.send_pixel(fragment, words).await;
     }

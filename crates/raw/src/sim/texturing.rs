@@ -125,14 +125,16 @@ impl Texturing {
     }
 }
 
-/// Who textures a fragment.
+/// Who does what for a fragment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Share {
-    /// The stage-2 tile that made it.
-    Above,
-    /// The stage-3 tile.
+    /// Stage 2 divides it, stage 3 textures it.
     Own,
-    /// The stage-4 tile that draws it.
+    /// Stage 3 divides and textures it.
+    Undivided,
+    /// The stage-2 tile that made it textures it.
+    Above,
+    /// The stage-4 tile that draws it textures it.
     Below,
 }
 
@@ -140,79 +142,111 @@ pub enum Share {
 const PARTS: u32 = 32;
 
 /// What asking for a bank and waiting for it costs a fragment, as measured.
-const LOAN: u32 = 30;
+const LOAN: u32 = 36;
 
 /// How the fragments of a primitive are shared out, decided from its state and the cost table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Division {
-    above: u32,
-    below: u32,
+    /// Parts for [`Share::Undivided`], [`Share::Above`] and [`Share::Below`].
+    parts: [u32; 3],
     /// What has gathered for each, in parts of a fragment.
-    due: [u32; 2],
+    due: [u32; 3],
+    /// Stage 1 walks the edges.
+    pub walked: bool,
 }
 
 impl Division {
-    /// The division that keeps stages 2, 3 and 4 equally busy, as far as the table knows.
+    /// The division that keeps stages 2, 3 and 4 equally busy, as far as the table knows. Of equal
+    /// ones, that with the least sharing.
     pub fn of(costs: &Costs, options: &Options, info: &PrimInfo) -> Self {
-        if !options.shared_texturing {
-            return Self::default();
-        }
-        let load = Load::of(costs, options, info);
-        // Stage 4 as a pipeline draws fragments of all columns, and textures none.
-        let most_below = if options.uses_pipes() { 0 } else { PARTS };
-        let all = (0..=PARTS).flat_map(|above| {
-            let below = 0..=most_below.min(PARTS - above);
-            below.map(move |below| Self { above, below, due: [0; 2] })
+        let walks = [false, true].into_iter().filter(|walked| !walked || options.walk_in_stage1);
+        let each = walks.map(|walked| {
+            let load = Load::of(costs, options, info, walked);
+            let best = Self::shares(options, info)
+                .min_by_key(|p| (load.greatest(p), p.iter().sum::<u32>()));
+            let parts = best.unwrap_or_default();
+            (load.greatest(&parts), Self { parts, due: [0; 3], walked })
         });
-        all.min_by_key(|d| (load.greatest(d), d.above + d.below)).unwrap_or_default()
+        each.min_by_key(|(load, _)| *load).map_or_else(Self::default, |(_, division)| division)
     }
 
-    /// Who textures the next fragment.
+    /// All that can be chosen from.
+    fn shares(options: &Options, info: &PrimInfo) -> impl Iterator<Item = [u32; 3]> + use<> {
+        let most = if options.shared_texturing { PARTS } else { 0 };
+        // Stage 4 as a pipeline draws fragments of all columns, and textures none.
+        let most_below = if options.uses_pipes() { 0 } else { most };
+        let perspective = Interpolants::of(info.mode).perspective();
+        let most_undivided = if perspective { most } else { 0 };
+        (0..=most_undivided).flat_map(move |undivided| {
+            // Stage 2 has no time for the one while it is spared the other.
+            let most_above = if undivided > 0 { 0 } else { most };
+            (0..=most_above).flat_map(move |above| {
+                let rest = most - undivided - above;
+                (0..=most_below.min(rest)).map(move |below| [undivided, above, below])
+            })
+        })
+    }
+
+    /// Who does what for the next fragment.
     pub fn next(&mut self) -> Share {
-        self.due[0] += self.above;
-        self.due[1] += self.below;
-        let [above, below] = &mut self.due;
-        if *above >= PARTS {
-            *above -= PARTS;
-            Share::Above
-        } else if *below >= PARTS {
-            *below -= PARTS;
-            Share::Below
-        } else {
-            Share::Own
+        for (due, part) in self.due.iter_mut().zip(self.parts) {
+            *due += part;
+        }
+        let shares = [Share::Undivided, Share::Above, Share::Below];
+        match self.due.iter().position(|due| *due >= PARTS) {
+            Some(i) => {
+                self.due[i] -= PARTS;
+                shares[i]
+            }
+            None => Share::Own,
         }
     }
 }
 
-/// Cycles of a fragment in each stage without sharing, of texturing it, and of passing it on.
+/// The cycles of all bursts that some work charges.
+fn cycles(work: impl FnOnce(&mut dyn FnMut(Burst))) -> u32 {
+    let mut cycles = 0;
+    work(&mut |burst| cycles += burst.cycles);
+    cycles
+}
+
+/// Cycles of a fragment in each stage without sharing, and of what can be shared.
 struct Load {
     stages: [u32; 3],
     texturing: u32,
+    /// Passing a fragment on through stage 3.
     passing: u32,
+    dividing: u32,
+    /// What the further words of an undivided fragment cost stage 2, and stage 3.
+    words: [u32; 2],
 }
 
 impl Load {
-    fn of(costs: &Costs, options: &Options, info: &PrimInfo) -> Self {
+    fn of(costs: &Costs, options: &Options, info: &PrimInfo, walked: bool) -> Self {
         let (mode, needs) = (info.mode, Interpolants::of(info.mode));
-        let mut texturing = 0;
         let looked_up = Textured {
             fragment: Fragment::default(),
             looked_up: mode.uses_texture(),
             addresses: [None; MAX_TEXELS],
         };
-        charges::combine(costs, info, &looked_up, |burst| texturing += burst.cycles);
+        let texturing = cycles(|add| charges::combine(costs, info, &looked_up, add));
+        let dividing = cycles(|add| charges::divide(costs, needs, add));
         let (words_in, words_out) =
             (options.fragment_words(needs, true), options.pixel_words(mode, true));
-        let words = words_in + words_out;
-        let mut above = costs.s2.visit.share(options.visit_parts(needs), 15).cycles;
-        charges::cover(costs, needs, |burst| above += burst.cycles);
-        above += (1 + costs.s2.send_word.cycles) * words_in;
-        let transfer = costs.s3.transfer.share(options.transfer_parts(words_in, words_out), 13);
-        let own = transfer.cycles + words + options.switch_counts();
+        let send = 1 + costs.s2.send_word.cycles;
+        let visit = costs.s2.visit.share(options.visit_parts(needs, walked), 15).cycles;
+        let cover = cycles(|add| charges::cover(costs, needs, add));
+        let above = visit + cover + dividing + send * words_in;
+        let transfer = |words: u32| {
+            let parts = options.transfer_parts(words, words_out);
+            costs.s3.transfer.share(parts, 13).cycles + words + words_out
+        };
+        let own = transfer(words_in) + options.switch_counts();
+        let more = options.undivided_words(needs, true);
         let s4 = &costs.s4;
         let mut below = s4.buffer.cycles + s4.pixel.cycles + words_out;
         if mode.no_use_z() == 0 {
-            // Eight depths are a line.
+            // A line is eight depths, of which a burst meets about four.
             let fetched = if options.z_once_per_burst { s4.z_miss / 4 } else { s4.z_miss };
             below += s4.z_test.cycles + fetched;
         }
@@ -222,18 +256,26 @@ impl Load {
             // Ordered fragments are those that blend.
             below += s4.blend.cycles + s4.round_trip;
         }
-        let passing = options.pass(costs, words_in.max(words_out)).cycles + words;
-        Self { stages: [above, own, below], texturing, passing }
+        let passed = words_in.max(words_out);
+        Self {
+            stages: [above, own, below],
+            texturing,
+            passing: options.pass(costs, passed).cycles + words_in + words_out,
+            dividing,
+            words: [send * (more - words_in), transfer(more) - transfer(words_in)],
+        }
     }
 
     /// The load of the busiest stage, in parts of a fragment.
-    fn greatest(&self, division: &Division) -> u32 {
-        let Division { above, below, .. } = *division;
+    fn greatest(&self, [undivided, above, below]: &[u32; 3]) -> u32 {
         let [s2, s3, s4] = self.stages;
+        let [sent, received] = self.words;
         let own = PARTS - above - below;
         let loads = [
-            PARTS * s2 + above * self.texturing,
-            own * (s3 + self.texturing) + (above + below) * self.passing,
+            PARTS * s2 + above * self.texturing + undivided * sent - undivided * self.dividing,
+            own * (s3 + self.texturing)
+                + (above + below) * self.passing
+                + undivided * (received + self.dividing),
             PARTS * s4 + below * self.texturing,
         ];
         loads.into_iter().max().unwrap_or(0)
@@ -274,19 +316,32 @@ mod tests {
         let options = Options { shared_texturing: true, ..Options::default() };
         let info = textured();
         let mut division = Division::of(&COSTS, &options, &info);
-        let load = Load::of(&COSTS, &options, &info);
-        assert!(load.greatest(&division) < load.greatest(&Division::default()) * 4 / 5);
+        let load = Load::of(&COSTS, &options, &info, false);
+        assert!(load.greatest(&division.parts) < load.greatest(&[0; 3]) * 4 / 5);
         let shares: Vec<Share> = (0..320).map(|_| division.next()).collect();
         let count = |share| shares.iter().filter(|s| **s == share).count() as u32;
-        assert_eq!(count(Share::Above), 10 * division.above);
-        assert!(count(Share::Below).abs_diff(10 * division.below) <= 1);
+        let [_, above, below] = division.parts;
+        assert!(count(Share::Above).abs_diff(10 * above) <= 1);
+        assert!(count(Share::Below).abs_diff(10 * below) <= 1);
         assert!(count(Share::Own) > 0 && count(Share::Below) > 0);
+    }
+
+    #[test]
+    fn the_busiest_stage_is_relieved() {
+        let mut info = PrimInfo::default();
+        info.mode.set_out_of_order(1);
+        info.mode.set_col_interp(1);
+        let division = Division::of(&COSTS, &Options::improved(4), &info);
+        assert!(division.walked && division.parts[0] > 0, "{division:?}");
+        info.mode.set_col_interp(0);
+        let flat = Division::of(&COSTS, &Options::improved(4), &info);
+        assert!(!flat.walked && flat.parts[0] == 0, "{flat:?}");
     }
 
     #[test]
     fn pixel_pipelines_texture_nothing() {
         let options =
             Options { shared_texturing: true, pixel_pipeline: true, ..Options::default() };
-        assert_eq!(Division::of(&COSTS, &options, &textured()).below, 0);
+        assert_eq!(Division::of(&COSTS, &options, &textured()).parts[2], 0);
     }
 }
