@@ -376,9 +376,12 @@ pub(crate) fn write_bits<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile
             let live = s.mask((block.live >> k) as u32);
             let color = [s.load(&block.color.rb.0[k..]), s.load(&block.color.ga.0[k..])];
             let (old, format) = tile.color.elements(s, at + j);
-            let dither = dithered.then(|| s.load(&pipeline.dither[j..]));
+            let dither = if dithered { Some(s.load(&pipeline.dither[j..])) } else { None };
             let new = pack(s, format, color, dither);
-            let new = pipeline.logic_op.map_or(new, |op| logic(s, op, new, old));
+            let new = match pipeline.logic_op {
+                Some(op) => logic(s, op, new, old),
+                None => new,
+            };
             let merged = old ^ ((old ^ new) & mask);
             match &mut tile.color {
                 ColorTile::Bits16(pixels, _) => s.store16(merged, &mut pixels[at + j..], live),
@@ -393,9 +396,9 @@ pub(crate) fn write_bits<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile
 #[inline(always)]
 fn logic<S: Simd>(s: S, op: LogicOp, source: S::I, destination: S::I) -> S::I {
     let ones = s.splat(-1);
-    let entry = |index: u32| s.splat(-i32::from(op.table() >> index & 1));
-    let with_source = (destination & entry(3)) | ((destination ^ ones) & entry(2));
-    let without = (destination & entry(1)) | ((destination ^ ones) & entry(0));
+    let [a, b, c, d] = [3, 2, 1, 0].map(|index| -i32::from(op.table() >> index & 1));
+    let with_source = (destination & s.splat(a)) | ((destination ^ ones) & s.splat(b));
+    let without = (destination & s.splat(c)) | ((destination ^ ones) & s.splat(d));
     (source & with_source) | ((source ^ ones) & without)
 }
 

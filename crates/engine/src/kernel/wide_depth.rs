@@ -166,8 +166,10 @@ fn test_depth<S: Simd, D: DepthLanes<S>>(
             let place = at.at as usize + j;
             let mut passed = s.mask((before >> k) as u32);
             if let Some(op) = test.test {
-                let constant = test.constant.filter(|_| !deep);
-                let compared = constant.map_or(value, |constant| s.splat(constant));
+                let compared = match test.constant {
+                    Some(constant) if !deep => s.splat(constant),
+                    _ => value,
+                };
                 // Planes hold unsigned numbers, and lanes compare signed ones.
                 let sign = s.splat(i32::MIN);
                 let stored = tile.load_aux(s, place);

@@ -111,6 +111,7 @@ impl PixelFormat {
 
 /// Bits of red, green, blue and alpha of formats that are these fields, from
 /// blue as the lowest.
+#[inline]
 fn widths(format: PixelFormat) -> [u32; 4] {
     match format {
         PixelFormat::Rgb565 => [5, 6, 5, 0],
@@ -129,6 +130,7 @@ fn widths(format: PixelFormat) -> [u32; 4] {
 /// + d) >> 4` and `((c << 2) - (c >> 4) + (c >> 6) + d) >> 4`.
 ///
 /// Source: SST1, dithering; the rules for fewer bits are ours, of the same form.
+#[inline]
 fn reduce_dithered(c: u32, bits: u32, d: u32) -> u32 {
     match bits {
         6 => ((c << 2) - (c >> 4) + (c >> 6) + d) >> 4,
@@ -139,11 +141,13 @@ fn reduce_dithered(c: u32, bits: u32, d: u32) -> u32 {
 }
 
 /// The grey of a colour in `Gray8`.
+#[inline]
 fn gray([r, g, b]: [u32; 3]) -> u32 {
     (77 * r + 150 * g + 29 * b + 128) >> 8
 }
 
 /// Packs 0xAARRGGBB for screen position (x, y). Alpha is truncated.
+#[inline]
 pub fn pack(format: PixelFormat, argb: u32, dither: Dither, x: u32, y: u32) -> u32 {
     let [a, r, g, b] = argb.to_be_bytes().map(u32::from);
     match format {
@@ -163,6 +167,7 @@ pub fn pack(format: PixelFormat, argb: u32, dither: Dither, x: u32, y: u32) -> u
 
 /// Widens an element to 0xAARRGGBB by bit replication; absent alpha is 255,
 /// absent colour white.
+#[inline]
 pub fn unpack(format: PixelFormat, element: u32) -> u32 {
     let byte = element & 0xff;
     match format {
