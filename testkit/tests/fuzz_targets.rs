@@ -26,7 +26,7 @@ fn seeds() -> std::ops::Range<u64> {
 fn run(target: Target) {
     let mut fuzzer = Fuzzer::new(target);
     for seed in seeds() {
-        let bytes = input(seed);
+        let bytes = target.input(seed);
         let outcome = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| fuzzer.run(&bytes)));
         assert!(outcome.is_ok(), "{}: FILLRATE_SEED={seed}", target.name());
     }

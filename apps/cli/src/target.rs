@@ -29,7 +29,7 @@ impl Target for AnyTarget {
     fn start(&mut self, meta: &Meta) -> Result<(), TargetError> {
         let target: Box<dyn Target> = match meta.get("api") {
             None | Some("glide2x") => Box::new(GlideTarget::start(meta, &self.device)?),
-            Some("raw") => Box::new(RawTarget::start(meta, self.device.threads)?),
+            Some("raw") => Box::new(RawTarget::start(meta, &self.device)?),
             Some("quark3d") => Box::new(QuarkTarget(quark::Context::new(self.device.clone()))),
             Some("redline") => Box::new(RedlineTarget::start(meta, &self.device)),
             Some("rave") => Box::new(RaveTarget::start(meta, &self.device)?),
@@ -92,8 +92,9 @@ impl Target for GlideTarget {
 struct RawTarget(raw::Context);
 
 impl RawTarget {
-    fn start(meta: &Meta, threads: usize) -> Result<RawTarget, TargetError> {
-        let mut config = raw::Config { threads, ..raw::Config::default() };
+    fn start(meta: &Meta, device: &DeviceConfig) -> Result<RawTarget, TargetError> {
+        let DeviceConfig { threads, level, tile } = *device;
+        let mut config = raw::Config { threads, level, tile, ..raw::Config::default() };
         if let Some(size) = meta.get("size") {
             let sides = size
                 .split_once('x')

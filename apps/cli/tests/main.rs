@@ -271,7 +271,7 @@ fn dependencies_point_one_way() {
             "fillrate-settings",
             &["fillrate-glide", "fillrate-redline", "fillrate-engine", "fillrate-simd"],
         ),
-        ("fillrate-raw", &["fillrate-call"]),
+        ("fillrate-raw", &["fillrate-engine", "fillrate-simd", "fillrate-call"]),
         ("fillrate-quark", &["fillrate-engine", "fillrate-call"]),
         ("fillrate-redline", &["fillrate-engine", "fillrate-call"]),
         ("fillrate-rave", &["fillrate-engine", "fillrate-call"]),

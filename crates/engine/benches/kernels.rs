@@ -53,10 +53,12 @@ fn states() -> Vec<(&'static str, DrawState)> {
         drop_fog_color: false,
         drop_fragment_color: false,
     };
-    let with_fog = |amount: FogAmount| {
-        let union = Blend { alpha: AlphaEquation::Union, ..blend };
-        DrawState { fog: Some(Fog { amount, ..fog }), blend: Some(union), ..textured }
-    };
+    let union = Blend { alpha: AlphaEquation::Union, ..blend };
+    let foggy = DrawState { fog: Some(fog), blend: Some(blend), ..textured };
+    let by_w = Fog { amount: FogAmount::ByW, ..fog };
+    let by_w = DrawState { fog: Some(by_w), blend: Some(union), ..textured };
+    let by_factor = Fog { amount: FogAmount::Iterated, ..fog };
+    let by_factor = DrawState { fog: Some(by_factor), blend: Some(union), ..textured };
     let specular = Shade { specular: true, ..Shade::default() };
     let mixed = TextureUnit { mix_levels: true, ..unit };
     let clamped = DepthState { z_overflow: ZOverflow::Clamp, ..depth };
@@ -66,9 +68,9 @@ fn states() -> Vec<(&'static str, DrawState)> {
         ("textured", textured),
         ("textured-blend", DrawState { blend: Some(blend), ..textured }),
         ("textured-fog", DrawState { fog: Some(fog), ..textured }),
-        ("textured-fog-blend", DrawState { fog: Some(fog), blend: Some(blend), ..textured }),
-        ("textured-distance-fog-blend", with_fog(FogAmount::ByW)),
-        ("textured-fog-factor-blend", with_fog(FogAmount::Iterated)),
+        ("textured-fog-blend", foggy),
+        ("textured-distance-fog-blend", by_w),
+        ("textured-fog-factor-blend", by_factor),
         ("textured-specular", DrawState { shade: specular, ..textured }),
         ("textured-trilinear", DrawState { units: [Some(mixed), None, None], ..textured }),
         ("textured-clamped-z", DrawState { depth: clamped, ..textured }),

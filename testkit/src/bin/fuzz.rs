@@ -4,7 +4,7 @@
 
 use std::time::{Duration, Instant};
 
-use fillrate_testkit::fuzz::{Fuzzer, Target, input};
+use fillrate_testkit::fuzz::{Fuzzer, Target};
 
 /// The longest an execution may take.
 const LIMIT: Duration = Duration::from_secs(1);
@@ -32,7 +32,7 @@ fn main() {
     let mut fuzzer = Fuzzer::new(target);
     let (started, mut longest) = (Instant::now(), (Duration::ZERO, first));
     for seed in first..first + executions {
-        let bytes = input(seed);
+        let bytes = target.input(seed);
         let before = Instant::now();
         let outcome = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| fuzzer.run(&bytes)));
         let took = before.elapsed();

@@ -35,17 +35,20 @@ pub enum Target {
     RedlineWords,
     /// Streams of RRedline's calls.
     RedlineCalls,
+    /// Words, records and calls of Raw, to its renderers and its simulator.
+    Raw,
 }
 
 impl Target {
     /// All of them.
-    pub const ALL: [Target; 6] = [
+    pub const ALL: [Target; 7] = [
         Target::Calls,
         Target::Textures,
         Target::Files,
         Target::Quark,
         Target::RedlineWords,
         Target::RedlineCalls,
+        Target::Raw,
     ];
 
     /// The name on command lines.
@@ -57,6 +60,15 @@ impl Target {
             Target::Quark => "quark",
             Target::RedlineWords => "redline-words",
             Target::RedlineCalls => "redline-calls",
+            Target::Raw => "raw",
+        }
+    }
+
+    /// The input of a seed: up to 4 KiB.
+    pub fn input(self, seed: u64) -> Vec<u8> {
+        match self {
+            Target::Raw => fillrate_raw::hostile::stream(seed),
+            _ => input(seed),
         }
     }
 }
@@ -92,6 +104,7 @@ impl Fuzzer {
             Target::Quark => drop(run_quark(bytes, 1)),
             Target::RedlineWords => drop(run_redline_words(bytes, 1)),
             Target::RedlineCalls => drop(run_redline_calls(bytes, 1)),
+            Target::Raw => fillrate_raw::hostile::feed(bytes),
         }
     }
 }
