@@ -85,6 +85,12 @@ fn any_stream_of_redline_calls_is_survived() {
     run(Target::RedlineCalls);
 }
 
+/// A block of host pixels of no bytes, while the source has four bits a pixel.
+#[test]
+fn regress_redline_block_of_no_bytes() {
+    Fuzzer::new(Target::RedlineCalls).run(&input(208_156));
+}
+
 /// Streams of RRedline hold every call, command and register, and draw the same
 /// on any number of threads.
 #[test]
