@@ -1,0 +1,1 @@
+//! Tests of RRedline through its Rust interface and its call border.
