@@ -1,5 +1,7 @@
 //! The register file of the fragment pipeline: 64 fragments in L1.
 
+use fillrate_simd::Simd;
+
 use super::depth::IteratedW;
 use super::texture::TextureSteps;
 use crate::state::MAX_TMUS;
@@ -54,8 +56,53 @@ pub(crate) struct Slot {
     pub y: i32,
 }
 
+/// Stamps of a strip.
+pub(crate) const STRIP: usize = 16;
+
+/// Stamps of one triangle side by side, and which of their fragments are left.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Strip {
+    /// The leftmost stamp.
+    pub first: Slot,
+    /// Stamps.
+    pub count: usize,
+    /// Bit per fragment; none beyond `count`.
+    pub live: [u16; STRIP],
+}
+
+impl Strip {
+    pub const NONE: Strip =
+        Strip { first: Slot { triangle: 0, at: 0, x: 0, y: 0 }, count: 0, live: [0; STRIP] };
+
+    /// The fragments left.
+    #[inline(always)]
+    pub fn len(&self) -> u64 {
+        let mut sum = 0;
+        for &[a, b, c, d] in self.live.as_chunks().0 {
+            let [a, b, c, d] = [u64::from(a), u64::from(b), u64::from(c), u64::from(d)];
+            sum += u64::from((a | b << 16 | c << 32 | d << 48).count_ones());
+        }
+        sum
+    }
+
+    /// The stamps' elements of a plane of the tile.
+    #[inline(always)]
+    pub fn elements<'a>(&self, plane: &'a mut [u16]) -> &'a mut [[u16; STAMP]] {
+        let elements = &mut plane[self.first.at as usize..][..self.count * STAMP];
+        elements.as_chunks_mut().0
+    }
+}
+
+/// Replaces the bits of a stamp's fragments `j..` by a vector's.
+#[inline(always)]
+pub(crate) fn put_bits<S: Simd>(live: &mut u16, j: usize, bits: u32) {
+    let lanes = ((1u32 << S::LANES) - 1) << j;
+    *live = (*live & !lanes as u16) | (bits << j) as u16;
+}
+
 /// Up to four stamps of fragments and everything the stages keep about them.
-/// No two slots hold the same stamp, so stages may finish in any order.
+/// Where stages read what others write into the tile, no two slots hold the same
+/// stamp, so stages may finish one after another; see [`super::Pipeline::in_order`].
 #[derive(Clone, Debug)]
 pub(crate) struct Block {
     /// Bit per fragment: still to be drawn.

@@ -2,14 +2,17 @@
 //!
 //! Source: SST1, fbzMode; the test runs before texturing, which changes no
 //! result because depth is written only where everything else passes.
+//!
+//! Where nothing but depth decides about a fragment, iterated z is tested while
+//! stamps are covered, before they are gathered into blocks: see [`early`].
 
 use fillrate_simd::{FloatLanes, IntLanes, MaskLanes, Simd};
 
-use super::block::{Block, Lanes, STAMP, Slot};
+use super::block::{Block, Lanes, STAMP, Slot, Strip, put_bits};
 use super::lanes::{iterate, places, ramp_wide, wrap};
 use super::{Pass, Pipeline, Tile};
-use crate::setup::{Plane64, Z};
-use crate::state::{Compare, DepthSource};
+use crate::setup::{Narrow, Plane64, Z};
+use crate::state::{AuxWrite, Compare, DepthSource};
 
 /// The pseudo-float of a 48-bit w with 32 fraction bits: 4 exponent bits and
 /// 12 inverted mantissa bits, plus one; 0 for w of one and above or negative,
@@ -46,7 +49,7 @@ fn float_w_lanes<S: Simd>(s: S, w: S::F) -> S::I {
 }
 
 /// Depth values of one stamp after another, without bias.
-pub(super) trait DepthLanes<S: Simd> {
+trait DepthLanes<S: Simd> {
     /// Goes to a stamp, which is the block's slot `slot`.
     fn enter(&mut self, s: S, pass: &Pass<'_>, at: &Slot, slot: usize);
     /// The values of fragments `j..` of that stamp.
@@ -54,7 +57,7 @@ pub(super) trait DepthLanes<S: Simd> {
 }
 
 /// Iterated z.
-pub(super) struct IteratedZ;
+struct IteratedZ;
 
 impl<S: Simd> DepthLanes<S> for IteratedZ {
     #[inline(always)]
@@ -147,9 +150,9 @@ fn keep<S: Simd, D: DepthLanes<S>>(
     }
 }
 
-/// Computes z and w where they are needed, tests and writes depth.
+/// Computes z and w where they are needed after the test.
 #[inline(always)]
-pub(crate) fn depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+pub(crate) fn keep_depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
     let needs = &pass.pipeline.needs;
     let Block { slots, count, steps, z, w, .. } = block;
     if needs.keeps_z {
@@ -158,6 +161,13 @@ pub(crate) fn depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mu
     if needs.keeps_w {
         keep(s, &mut steps.w, &slots[..*count], pass, w);
     }
+}
+
+/// Computes z and w where they are needed, tests and writes depth.
+#[inline(always)]
+pub(crate) fn depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    keep_depth(s, block, pass);
+    let needs = &pass.pipeline.needs;
     match pass.pipeline.state.depth.source {
         DepthSource::Z if needs.keeps_z => ready_depth(s, block, pass, tile),
         DepthSource::FloatW if needs.keeps_w => ready_depth(s, block, pass, tile),
@@ -201,9 +211,38 @@ pub(crate) fn compare<S: Simd>(s: S, op: Compare, source: S::I, reference: S::I)
     }
 }
 
+/// Depth tests before fragments are gathered, as constants of the loops over
+/// stamps. The common ones have neither bias nor constant.
+pub(crate) mod early {
+    /// None: the test is a stage, or there is none.
+    pub const NONE: u8 = 0;
+    /// [`super::Compare::Less`]
+    pub const LESS: u8 = 1;
+    /// [`super::Compare::LessEqual`]
+    pub const LESS_EQUAL: u8 = 2;
+    /// Whatever the state says.
+    pub const ANY: u8 = 3;
+}
+
+/// Which of [`early`] a pipeline can have, if its first stage is the depth test.
+pub(super) fn early_test(pipeline: &Pipeline) -> u8 {
+    let depth = &pipeline.state.depth;
+    let needs = &pipeline.needs;
+    // Alpha in the aux plane is written by the last stage.
+    let late = needs.late_depth_write || pipeline.state.aux_write == AuxWrite::Alpha;
+    if !needs.depth || late || depth.source != DepthSource::Z {
+        return early::NONE;
+    }
+    match (depth.test, depth.bias, depth.compare_constant) {
+        (Some(Compare::Less), None, None) => early::LESS,
+        (Some(Compare::LessEqual), None, None) => early::LESS_EQUAL,
+        _ => early::ANY,
+    }
+}
+
 /// What happens to a depth value, the same for a whole block.
 #[derive(Clone, Copy)]
-pub(super) struct DepthTest {
+pub(crate) struct DepthTest {
     test: Option<Compare>,
     bias: Option<i32>,
     constant: Option<i32>,
@@ -212,6 +251,9 @@ pub(super) struct DepthTest {
 }
 
 impl DepthTest {
+    /// Everything passes, nothing is written.
+    pub const NONE: DepthTest = DepthTest { test: None, bias: None, constant: None, writes: false };
+
     #[inline(always)]
     pub fn new(pipeline: &Pipeline) -> DepthTest {
         let depth = &pipeline.state.depth;
@@ -232,22 +274,75 @@ impl DepthTest {
         }
     }
 
-    /// Tests and writes a stamp's biased values at `at` of the aux plane;
-    /// which of the `live` lanes pass.
+    /// Tests and writes biased values at the start of `aux`; which of the
+    /// `live` lanes pass. `EARLY` is one of [`early`].
     #[inline(always)]
-    pub fn run<S: Simd>(&self, s: S, value: S::I, live: S::M, aux: &mut [u16], at: usize) -> S::M {
+    pub fn run<S: Simd, const EARLY: u8>(
+        &self,
+        s: S,
+        value: S::I,
+        live: S::M,
+        aux: &mut [u16],
+    ) -> S::M {
         let mut passed = live;
-        if let Some(op) = self.test {
+        if EARLY == early::LESS {
+            passed = live & compare(s, Compare::Less, value, s.load16(aux));
+        } else if EARLY == early::LESS_EQUAL {
+            passed = live & compare(s, Compare::LessEqual, value, s.load16(aux));
+        } else if let Some(op) = self.test {
             let source = match self.constant {
                 Some(constant) => s.splat(constant),
                 None => value,
             };
-            passed = live & compare(s, op, source, s.load16(&aux[at..]));
+            passed = live & compare(s, op, source, s.load16(aux));
         }
         if self.writes {
-            s.store16(value, &mut aux[at..], passed);
+            s.store16(value, aux, passed);
         }
         passed
+    }
+
+    /// The same for iterated z, before the wrap rule and the bias.
+    #[inline(always)]
+    pub fn run_iterated<S: Simd, const EARLY: u8>(
+        &self,
+        s: S,
+        z: S::I,
+        live: S::M,
+        aux: &mut [u16],
+    ) -> S::M {
+        let mut value = z.shr(12);
+        // In range there is nothing to wrap.
+        if (value.gt(s.splat(0xffff)) & live).bits() != 0 {
+            value = wrap::<S, 20, 16>(s, value);
+        }
+        if EARLY == early::ANY {
+            value = self.biased(s, value);
+        }
+        self.run::<S, EARLY>(s, value, live, aux)
+    }
+}
+
+/// Drops a strip's fragments that fail the depth test, and writes the depth of
+/// the others.
+#[inline(always)]
+pub(crate) fn test_strip<S: Simd, const EARLY: u8>(
+    s: S,
+    test: &DepthTest,
+    narrow: &Narrow,
+    strip: &mut Strip,
+    aux: &mut [u16],
+) {
+    let aux = strip.elements(aux);
+    let step = s.splat(narrow.dx[Z].wrapping_mul(4));
+    for j in (0..STAMP).step_by(S::LANES) {
+        let mut z = iterate(s, narrow, Z, places(s, strip.first.x, strip.first.y, j));
+        for (live, stamp) in strip.live.iter_mut().zip(&mut *aux) {
+            let lanes = s.mask(u32::from(*live) >> j);
+            let passed = test.run_iterated::<S, EARLY>(s, z, lanes, &mut stamp[j..]);
+            put_bits::<S>(live, j, passed.bits());
+            z = z + step;
+        }
     }
 }
 
@@ -284,7 +379,8 @@ fn test_depth<S: Simd, D: DepthLanes<S>>(
                 s.store(value, &mut fragments.depth.0[k..]);
             }
             let live = s.mask((before >> k) as u32);
-            let passed = test.run(s, value, live, tile.aux, at.at as usize + j);
+            let place = at.at as usize + j;
+            let passed = test.run::<S, { early::ANY }>(s, value, live, &mut tile.aux[place..]);
             left |= u64::from(passed.bits()) << k;
         }
     }

@@ -4,19 +4,16 @@
 //! Nothing is computed here: the functions are those of the single stages, and
 //! the list without joining draws the same pixels.
 
-use fillrate_simd::{MaskLanes, Simd};
+use fillrate_simd::Simd;
 
-use super::block::{Block, STAMP};
-use super::depth::{DepthLanes, DepthTest, IteratedZ};
-use super::iterate::iterated_colors;
+use super::block::{Block, STAMP, Strip};
+use super::iterate::{ColorIterators, iterated_colors};
 use super::lanes::{join as join_halves, places};
 use super::output::{blended, pack};
 use super::pipeline::{Pipeline, Stage};
 use super::texture::texels;
 use super::{ColorTile, Pass, Tile};
-use crate::state::{
-    AlphaCombine, AlphaLocal, AuxWrite, ColorLocal, DepthSource, Dither, Factor, Other,
-};
+use crate::state::{AlphaCombine, AlphaLocal, AuxWrite, ColorLocal, Dither, Factor, Other};
 use crate::target::PixelFormat;
 
 /// Where the fragments' colour comes from.
@@ -41,11 +38,9 @@ pub(crate) enum AlphaSource {
     Constant1,
 }
 
-/// A joined end of a stage list: colour, blend, write; with the depth test
-/// first where nothing stands between.
+/// A joined end of a stage list: colour, blend, write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Joined {
-    pub depth: bool,
     pub color: ColorSource,
     pub alpha: AlphaSource,
     pub blend: bool,
@@ -72,19 +67,8 @@ pub(super) fn join_stages(pipeline: &mut Pipeline, format: PixelFormat) {
     {
         return;
     }
-    let mut start = pipeline.stages.len() - end.len();
-    let needs = &pipeline.needs;
-    let depth = pipeline.stages[..start] == [Stage::Depth]
-        && state.depth.source == DepthSource::Z
-        && !needs.keeps_z
-        && !needs.keeps_w
-        && !needs.late_depth_write
-        && color == ColorSource::Iterated;
-    if depth {
-        start = 0;
-    }
-    pipeline.stages.truncate(start);
-    pipeline.stages.push(Stage::Joined(Joined { depth, color, alpha, blend }));
+    pipeline.stages.truncate(pipeline.stages.len() - end.len());
+    pipeline.stages.push(Stage::Joined(Joined { color, alpha, blend }));
 }
 
 fn color_source(pipeline: &Pipeline) -> Option<ColorSource> {
@@ -136,36 +120,27 @@ fn alpha_source(pipeline: &Pipeline, color: ColorSource) -> Option<AlphaSource> 
 
 /// Runs a joined end over a block.
 #[inline(always)]
-pub(super) fn run_joined<S, const DEPTH: bool, const TEXEL: bool, const ITERATED: bool>(
+pub(super) fn run_joined<S: Simd, const TEXEL: bool, const ITERATED: bool>(
     s: S,
     block: &mut Block,
     pass: &Pass<'_>,
     tile: &mut Tile<'_>,
-) where
-    S: Simd,
-{
+) {
     let Some(Stage::Joined(joined)) = pass.pipeline.stages.last() else { return };
     let dithered = pass.pipeline.state.dither != Dither::Off;
     match (joined.blend, dithered) {
         (false, false) => {
-            fragments::<S, DEPTH, TEXEL, ITERATED, false, false>(s, block, pass, tile, joined);
+            fragments::<S, TEXEL, ITERATED, false, false>(s, block, pass, tile, joined);
         }
-        (false, true) => {
-            fragments::<S, DEPTH, TEXEL, ITERATED, false, true>(s, block, pass, tile, joined);
-        }
-        (true, false) => {
-            fragments::<S, DEPTH, TEXEL, ITERATED, true, false>(s, block, pass, tile, joined);
-        }
-        (true, true) => {
-            fragments::<S, DEPTH, TEXEL, ITERATED, true, true>(s, block, pass, tile, joined);
-        }
+        (false, true) => fragments::<S, TEXEL, ITERATED, false, true>(s, block, pass, tile, joined),
+        (true, false) => fragments::<S, TEXEL, ITERATED, true, false>(s, block, pass, tile, joined),
+        (true, true) => fragments::<S, TEXEL, ITERATED, true, true>(s, block, pass, tile, joined),
     }
 }
 
 #[inline(always)]
 fn fragments<
     S: Simd,
-    const DEPTH: bool,
     const TEXEL: bool,
     const ITERATED: bool,
     const BLEND: bool,
@@ -178,46 +153,85 @@ fn fragments<
     joined: &Joined,
 ) {
     let ColorTile::Bits16(pixels, _) = &mut tile.color else { return };
-    let pipeline = pass.pipeline;
-    let test = DepthTest::new(pipeline);
-    let before = block.live;
     for slot in 0..block.count {
-        let at = block.slots[slot];
-        let first = slot * STAMP;
-        if DEPTH {
-            let mut passed = 0;
-            for j in (0..STAMP).step_by(S::LANES) {
-                let value = test.biased(s, IteratedZ.lanes(s, pass, &at, j));
-                let live = s.mask((before >> (first + j)) as u32);
-                passed |= test.run(s, value, live, tile.aux, at.at as usize + j).bits() << j;
-            }
-            block.live &= !(0xffff << first) | u64::from(passed) << first;
-        }
-        let live = (block.live >> first) as u32 & 0xffff;
+        let live = (block.live >> (slot * STAMP)) as u32 & 0xffff;
         if live == 0 {
             continue;
         }
+        let at = block.slots[slot].at as usize;
+        let pixels = &mut pixels[at..][..STAMP];
+        let aux = tile.aux.get(at..).unwrap_or(&[]);
         for j in (0..STAMP).step_by(S::LANES) {
-            let place = at.at as usize + j;
-            let mut color = colors::<S, TEXEL, ITERATED>(s, block, pass, joined.alpha, slot, j);
-            if BLEND && let Some(config) = &pipeline.state.blend {
-                let element = s.load16(&pixels[place..]);
-                let aux = tile.aux.get(place..).unwrap_or(&[]);
-                let format = PixelFormat::Rgb565;
-                color = blended(s, pass, config, format, [color, color], element, aux, j);
-            }
-            let dither = if DITHER { Some(s.load(&pipeline.dither[j..])) } else { None };
-            let packed = pack(s, PixelFormat::Rgb565, color, dither);
-            s.store16(packed, &mut pixels[place..], s.mask(live >> j));
+            let alpha = joined.alpha;
+            let color = colors::<S, TEXEL, ITERATED, BLEND>(s, block, pass, alpha, slot, j);
+            let aux = aux.get(j..).unwrap_or(&[]);
+            let live = s.mask(live >> j);
+            write::<S, BLEND, DITHER>(s, pass, color, &mut pixels[j..], aux, live, j);
         }
     }
-    tile.counters.depth_fail += u64::from((before & !block.live).count_ones());
     tile.counters.pixels_out += u64::from(block.live.count_ones());
 }
 
-/// The colours of fragments `j..` of a slot.
+/// Blends, dithers and writes the colours of fragments `j..` of a stamp; the
+/// slices begin with their elements.
 #[inline(always)]
-fn colors<S: Simd, const TEXEL: bool, const ITERATED: bool>(
+fn write<S: Simd, const BLEND: bool, const DITHER: bool>(
+    s: S,
+    pass: &Pass<'_>,
+    mut color: [S::I; 2],
+    pixels: &mut [u16],
+    aux: &[u16],
+    live: S::M,
+    j: usize,
+) {
+    let pipeline = pass.pipeline;
+    let format = PixelFormat::Rgb565;
+    if BLEND && let Some(config) = &pipeline.state.blend {
+        color = blended(s, pass, config, format, [color, color], s.load16(pixels), aux, j);
+    }
+    let dither = if DITHER { Some(s.load(&pipeline.dither[j..])) } else { None };
+    s.store16(pack(s, format, color, dither), pixels, live);
+}
+
+/// Draws a strip whose fragments get their iterated colours.
+#[inline(always)]
+pub(super) fn iterated_strip<S: Simd>(s: S, strip: &Strip, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    let state = &pass.pipeline.state;
+    match (state.blend.is_some(), state.dither != Dither::Off) {
+        (false, false) => strip_fragments::<S, false, false>(s, strip, pass, tile),
+        (false, true) => strip_fragments::<S, false, true>(s, strip, pass, tile),
+        (true, false) => strip_fragments::<S, true, false>(s, strip, pass, tile),
+        (true, true) => strip_fragments::<S, true, true>(s, strip, pass, tile),
+    }
+}
+
+#[inline(always)]
+fn strip_fragments<S: Simd, const BLEND: bool, const DITHER: bool>(
+    s: S,
+    strip: &Strip,
+    pass: &Pass<'_>,
+    tile: &mut Tile<'_>,
+) {
+    let ColorTile::Bits16(pixels, _) = &mut tile.color else { return };
+    let pixels = strip.elements(pixels);
+    let first = &strip.first;
+    let narrow = &pass.triangle(first).narrow;
+    for j in (0..STAMP).step_by(S::LANES) {
+        let mut colors = ColorIterators::new(s, narrow, places(s, first.x, first.y, j));
+        for (i, (live, pixels)) in strip.live.iter().zip(&mut *pixels).enumerate() {
+            let color = colors.colors::<BLEND>(s);
+            colors.advance();
+            let aux = tile.aux.get(first.at as usize + i * STAMP + j..).unwrap_or(&[]);
+            let live = s.mask(u32::from(*live) >> j);
+            write::<S, BLEND, DITHER>(s, pass, color, &mut pixels[j..], aux, live, j);
+        }
+    }
+    tile.counters.pixels_out += strip.len();
+}
+
+/// The colours of fragments `j..` of a slot; their alpha only where `ALPHA`.
+#[inline(always)]
+fn colors<S: Simd, const TEXEL: bool, const ITERATED: bool, const ALPHA: bool>(
     s: S,
     block: &Block,
     pass: &Pass<'_>,
@@ -229,7 +243,8 @@ fn colors<S: Simd, const TEXEL: bool, const ITERATED: bool>(
     let mut iterated = [zero; 2];
     if ITERATED {
         let at = &block.slots[slot];
-        iterated = iterated_colors(s, &pass.triangle(at).narrow, places(s, at.x, at.y, j));
+        let narrow = &pass.triangle(at).narrow;
+        iterated = iterated_colors::<S, ALPHA>(s, narrow, places(s, at.x, at.y, j));
     }
     if !TEXEL {
         return iterated;
@@ -246,6 +261,9 @@ fn colors<S: Simd, const TEXEL: bool, const ITERATED: bool>(
         let switches = &pass.pipeline.combine;
         color[0] = switches.scaled(s, 0, texel[0], iterated[0]);
         color[1] = switches.scaled(s, 1, texel[1], iterated[1]);
+    }
+    if !ALPHA {
+        return color;
     }
     let pipeline = pass.pipeline;
     color[1] = match alpha {

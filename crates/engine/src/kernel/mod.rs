@@ -25,7 +25,7 @@ mod stages;
 mod stipple;
 
 pub(crate) use pipeline::Pipeline;
-pub(crate) use stages::{StageList, run, stage_list};
+pub(crate) use stages::{StageList, StripFn, run, stage_list, strip_function};
 
 use crate::setup::{Triangle, Triangles};
 use crate::stats::Counters;

@@ -4,7 +4,7 @@
 
 use fillrate_simd::{IntLanes, Simd};
 
-use super::block::{Block, STAMP};
+use super::block::{Block, STAMP, Strip};
 use super::lanes::{join, spread_alpha};
 use super::{ColorTile, Pass, Tile};
 use crate::state::{AuxWrite, Blend, BlendFactor, Dither};
@@ -264,14 +264,29 @@ pub(crate) fn write_flat<S: Simd>(s: S, block: &Block, pass: &Pass<'_>, tile: &m
     tile.counters.pixels_out += u64::from(block.live.count_ones());
     for slot in 0..block.count {
         let to = &mut pixels[block.slots[slot].at as usize..][..STAMP];
-        let live = (block.live >> (slot * STAMP)) as u32 & 0xffff;
-        if live == 0xffff {
-            to.copy_from_slice(stamp);
-            continue;
-        }
-        for j in (0..STAMP).step_by(S::LANES) {
-            s.store16(s.load16(&stamp[j..]), &mut to[j..], s.mask(live >> j));
-        }
+        copy_stamp(s, stamp, to, (block.live >> (slot * STAMP)) as u16);
+    }
+}
+
+/// The same for a strip.
+#[inline(always)]
+pub(crate) fn flat_strip<S: Simd>(s: S, strip: &Strip, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    let Some(stamp) = &pass.pipeline.flat else { return };
+    let ColorTile::Bits16(pixels, _) = &mut tile.color else { return };
+    tile.counters.pixels_out += strip.len();
+    for (live, to) in strip.live.iter().zip(strip.elements(pixels)) {
+        copy_stamp(s, stamp, to, *live);
+    }
+}
+
+#[inline(always)]
+fn copy_stamp<S: Simd>(s: S, stamp: &[u16; STAMP], to: &mut [u16], live: u16) {
+    if live == 0xffff {
+        to.copy_from_slice(stamp);
+        return;
+    }
+    for j in (0..STAMP).step_by(S::LANES) {
+        s.store16(s.load16(&stamp[j..]), &mut to[j..], s.mask(u32::from(live) >> j));
     }
 }
 

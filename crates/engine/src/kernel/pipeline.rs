@@ -6,6 +6,7 @@ use fillrate_simd::Scalar;
 
 use super::block::{Block, Colors, STAMP};
 use super::combine::{Arithmetic, Switches};
+use super::depth::{early, early_test};
 use super::fog::fog_entries;
 use super::joined::{Joined, join_stages};
 use super::lanes::dither_pattern;
@@ -26,6 +27,9 @@ use crate::texture::{Texture, TextureDesc};
 pub(crate) enum Stage {
     Stipple,
     Depth,
+    /// z and w that are read after the test, which ran before; see
+    /// [`Pipeline::early`].
+    KeepDepth,
     /// The depth test on depths that are already there.
     ReadyDepth,
     Address(usize),
@@ -65,7 +69,13 @@ pub(crate) struct Needs {
 pub(crate) struct Pipeline {
     pub state: DrawState,
     pub needs: Needs,
+    /// The depth test that runs before the stages, one of
+    /// [`super::depth::early`].
+    pub early: u8,
     pub stages: Vec<Stage>,
+    /// Stages read what others write into the tile, so a block must not hold a
+    /// stamp twice.
+    pub in_order: bool,
     pub units: [Option<Box<UnitPlan>>; MAX_TMUS],
     /// Texture units that iterate coordinates: the highest in use, plus one.
     pub unit_count: usize,
@@ -103,6 +113,8 @@ impl Pipeline {
                 blend.alpha_plane = false;
             }
         }
+        // Depths are in the range that a bias limits them to.
+        state.depth.bias = state.depth.bias.filter(|&bias| bias != 0);
         if state.depth.source.is_deep() {
             (state.depth.test, state.aux_write) = (None, AuxWrite::Nothing);
         }
@@ -119,6 +131,8 @@ impl Pipeline {
             arithmetic: Arithmetic::of(color, alpha, reads_alpha),
             reads_alpha,
             needs,
+            early: early::NONE,
+            in_order: true,
             unit_count: units.iter().rposition(Option::is_some).map_or(0, |i| i + 1),
             units,
             combine: Switches::new(color, alpha),
@@ -133,13 +147,29 @@ impl Pipeline {
         };
         join_stages(&mut pipeline, format);
         flatten(&mut pipeline, format);
+        pipeline.test_early();
         pipeline
+    }
+
+    /// Takes the depth test out of the stages where it can run before them.
+    fn test_early(&mut self) {
+        if self.stages.first() == Some(&Stage::Depth) {
+            self.early = early_test(self);
+            if self.early != early::NONE {
+                self.stages[0] = Stage::KeepDepth;
+                if !self.needs.keeps_z && !self.needs.keeps_w {
+                    self.stages.remove(0);
+                }
+            }
+        }
+        let reads = [Stage::Depth, Stage::ReadyDepth, Stage::DepthWrite, Stage::Blend];
+        self.in_order = self.stages.iter().any(|stage| reads.contains(stage));
     }
 
     /// Whether a triangle that covers a tile replaces all its colours and
     /// changes nothing else.
     pub fn replaces_tile(&self) -> bool {
-        self.flat.is_some() && self.stages == [Stage::Flat]
+        self.early == early::NONE && self.stages == [Stage::Flat]
     }
 
     /// Compiles the stages that ready-made fragments pass: no texturing, no
@@ -152,6 +182,7 @@ impl Pipeline {
         let mut pipeline = Pipeline::new(&state, &[const { None }; MAX_TMUS], format, has_aux);
         pipeline.stages =
             stages(&pipeline.state, &pipeline.needs, &pipeline.units, pipeline.passes_iterated);
+        (pipeline.early, pipeline.in_order) = (early::NONE, true);
         let made = [Stage::IterateColors, Stage::Combine];
         pipeline.stages.retain(|stage| !made.contains(stage));
         for stage in &mut pipeline.stages {

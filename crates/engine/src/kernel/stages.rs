@@ -2,7 +2,7 @@
 
 use fillrate_simd::{Kernel, Simd};
 
-use super::block::Block;
+use super::block::{Block, Strip};
 use super::joined::{self, ColorSource};
 use super::pipeline::Stage;
 use super::texture::{address, fetch, texture_combine};
@@ -45,6 +45,38 @@ macro_rules! stage {
     };
 }
 
+/// Draws a strip: the whole of a short stage list at one level.
+pub(crate) type StripFn<S> = fn(S, &Strip, &Pass<'_>, &mut Tile<'_>);
+
+/// Defines a strip function as [`stage`] defines a stage's.
+macro_rules! strip {
+    ($name:ident, $body:path) => {
+        fn $name<S: Simd>(s: S, strip: &Strip, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+            struct Body<'a, 'b, 'c, 'd, 'e>(&'a Strip, &'b Pass<'c>, &'d mut Tile<'e>);
+            impl Kernel for Body<'_, '_, '_, '_, '_> {
+                type Output = ();
+                #[inline(always)]
+                fn run<S: Simd>(self, s: S) {
+                    $body(s, self.0, self.1, self.2);
+                }
+            }
+            s.vectorize(Body(strip, pass, tile))
+        }
+    };
+}
+
+strip!(iterated_strip, joined::iterated_strip);
+strip!(flat_strip, output::flat_strip);
+
+/// The function that draws strips by these stages, where there is one.
+pub(crate) fn strip_function<S: Simd>(stages: &[Stage]) -> Option<StripFn<S>> {
+    match stages {
+        [Stage::Joined(end)] if end.color == ColorSource::Iterated => Some(iterated_strip),
+        [Stage::Flat] => Some(flat_strip),
+        _ => None,
+    }
+}
+
 macro_rules! unit_stages {
     ($($address:ident $fetch:ident $combine:ident $index:literal)*) => {$(
         stage!($address, |s, block, pass, _tile| {
@@ -65,6 +97,7 @@ unit_stages! {
     address_2 fetch_2 texture_combine_2 2
 }
 stage!(depth_stage, |s, block, pass, tile| depth::depth(s, block, pass, tile));
+stage!(keep_depth, |s, block, pass, _tile| depth::keep_depth(s, block, pass));
 stage!(ready_depth, |s, block, pass, tile| depth::ready_depth(s, block, pass, tile));
 stage!(iterate_colors, |s, block, pass, _tile| iterate::iterate_colors(s, block, pass));
 stage!(chroma_key, |s, block, pass, tile| chroma_key::chroma_key(s, block, pass, tile));
@@ -74,16 +107,13 @@ stage!(fog, |s, block, pass, _tile| fog::fog(s, block, pass));
 stage!(depth_write, |s, block, _pass, tile| depth::depth_write(s, block, tile));
 stage!(blend, |s, block, pass, tile| output::blend_stage(s, block, pass, tile));
 stage!(iterated_end, |s, block, pass, tile| {
-    joined::run_joined::<S, false, false, true>(s, block, pass, tile)
-});
-stage!(depth_iterated_end, |s, block, pass, tile| {
-    joined::run_joined::<S, true, false, true>(s, block, pass, tile)
+    joined::run_joined::<S, false, true>(s, block, pass, tile)
 });
 stage!(texel_end, |s, block, pass, tile| {
-    joined::run_joined::<S, false, true, false>(s, block, pass, tile)
+    joined::run_joined::<S, true, false>(s, block, pass, tile)
 });
 stage!(product_end, |s, block, pass, tile| {
-    joined::run_joined::<S, false, true, true>(s, block, pass, tile)
+    joined::run_joined::<S, true, true>(s, block, pass, tile)
 });
 stage!(write_flat, |s, block, pass, tile| output::write_flat(s, block, pass, tile));
 stage!(write, |s, block, pass, tile| output::write(s, block, pass, tile));
@@ -99,6 +129,7 @@ pub(crate) fn stage_list<S: Simd>(stages: &[Stage], out: &mut StageList<S>) {
         *out = match stage {
             Stage::Stipple => stipple_stage,
             Stage::Depth => depth_stage,
+            Stage::KeepDepth => keep_depth,
             Stage::ReadyDepth => ready_depth,
             Stage::Address(0) => address_0,
             Stage::Address(1) => address_1,
@@ -118,11 +149,10 @@ pub(crate) fn stage_list<S: Simd>(stages: &[Stage], out: &mut StageList<S>) {
             Stage::Blend => blend,
             Stage::Write => write,
             Stage::Flat => write_flat,
-            Stage::Joined(end) => match (end.depth, end.color) {
-                (false, ColorSource::Iterated) => iterated_end,
-                (true, _) => depth_iterated_end,
-                (false, ColorSource::Texel) => texel_end,
-                (false, ColorSource::Product) => product_end,
+            Stage::Joined(end) => match end.color {
+                ColorSource::Iterated => iterated_end,
+                ColorSource::Texel => texel_end,
+                ColorSource::Product => product_end,
             },
         };
     }

@@ -7,15 +7,15 @@
 
 use fillrate_simd::{IntLanes, MaskLanes, Simd};
 
-use crate::kernel::block::STAMP;
-use crate::kernel::lanes::{places, ramp};
+use crate::kernel::block::{STAMP, STRIP, Slot, Strip};
+use crate::kernel::lanes::ramp;
 use crate::setup::{Edge, Triangle};
 use crate::state::Rect;
 
 /// All fragments of a stamp.
 pub(crate) const FULL: u32 = 0xffff;
 /// Stamps that are classified together.
-const GROUP: usize = 16;
+const GROUP: usize = STRIP;
 /// Screen columns of a group.
 const GROUP_WIDTH: u32 = 4 * GROUP as u32;
 
@@ -49,43 +49,19 @@ pub(crate) struct TileCoverage {
 
 /// The covered stamps of a group, as bits from the left.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct GroupCoverage {
+struct GroupCoverage {
     /// Stamps of which every fragment is covered.
-    pub full: u32,
+    full: u32,
     /// Others that may have covered fragments.
-    pub partial: u32,
+    partial: u32,
 }
 
-impl GroupCoverage {
-    /// Screen columns of the covered stamps of a group that begins at `first`,
-    /// and whether each is covered whole.
-    #[inline(always)]
-    pub fn stamps(self, first: u32) -> Stamps {
-        Stamps { group: self, first }
-    }
-}
-
-/// See [`GroupCoverage::stamps`].
-pub(crate) struct Stamps {
-    group: GroupCoverage,
-    first: u32,
-}
-
-impl Iterator for Stamps {
-    type Item = (u32, bool);
-
-    #[inline(always)]
-    fn next(&mut self) -> Option<(u32, bool)> {
-        let GroupCoverage { full, partial } = &mut self.group;
-        let stamps = *full | *partial;
-        if stamps == 0 {
-            return None;
-        }
-        let bit = stamps & stamps.wrapping_neg();
-        let is_full = *full & bit != 0;
-        *full &= !bit;
-        *partial &= !bit;
-        Some((self.first + 4 * bit.trailing_zeros(), is_full))
+/// Drops a strip's fragments outside a rectangle.
+#[inline(always)]
+pub(crate) fn clip_strip(strip: &mut Strip, rect: &Rect) {
+    let (x, y) = (strip.first.x as u32, strip.first.y as u32);
+    for (i, live) in strip.live[..strip.count].iter_mut().enumerate() {
+        *live &= rect_mask(rect, x + 4 * i as u32, y) as u16;
     }
 }
 
@@ -159,7 +135,7 @@ impl TileCoverage {
 
     /// Classifies the group of stamps at screen position (x, y).
     #[inline(always)]
-    pub fn group<S: Simd>(&self, s: S, x: u32, y: u32) -> GroupCoverage {
+    fn group<S: Simd>(&self, s: S, x: u32, y: u32) -> GroupCoverage {
         let area = &self.area;
         let bits = |from: u32, to: u32| {
             let column = |at: u32| (at.saturating_sub(x) / 4).min(GROUP as u32);
@@ -190,17 +166,42 @@ impl TileCoverage {
         let mut count = 0;
         for y in self.rows() {
             for first in self.groups() {
-                for (x, _) in self.group(s, first, y).stamps(first) {
-                    count += u64::from(self.stamp(s, x, y).count_ones());
-                }
+                count += self.strip(s, first, y).len();
             }
         }
         count
     }
 
+    /// What is covered of the group of stamps at screen position (x, y). The
+    /// strip knows its place on the screen, but neither triangle nor tile.
+    #[inline(always)]
+    pub fn strip<S: Simd>(&self, s: S, x: u32, y: u32) -> Strip {
+        let GroupCoverage { full, partial } = self.group(s, x, y);
+        let stamps = full | partial;
+        if stamps == 0 {
+            return Strip::NONE;
+        }
+        let (first, end) = (stamps.trailing_zeros(), 32 - stamps.leading_zeros());
+        let count = (end - first) as usize;
+        let x = x + 4 * first;
+        let slot = Slot { x: x as i32, y: y as i32, ..Slot::default() };
+        let mut strip = Strip { first: slot, count, live: [0; STRIP] };
+        for (i, live) in strip.live.iter_mut().enumerate() {
+            *live = if i < count { FULL as u16 } else { 0 };
+        }
+        // Bits of stamps that are not covered whole.
+        let mut rest = !full >> first & ((1 << count) - 1);
+        while rest != 0 {
+            let i = rest.trailing_zeros();
+            strip.live[i as usize] = self.stamp(s, x + 4 * i, y) as u16;
+            rest &= rest - 1;
+        }
+        strip
+    }
+
     /// The covered fragments of the stamp at screen position (x, y).
     #[inline(always)]
-    pub fn stamp<S: Simd>(&self, s: S, x: u32, y: u32) -> u32 {
+    fn stamp<S: Simd>(&self, s: S, x: u32, y: u32) -> u32 {
         let mut mask = rect_mask(&self.area, x, y);
         for (edge, offsets) in self.edges.iter().zip(&self.offsets).take(self.count) {
             let at = edge.start + edge.a * (x as i32 - self.x) + edge.b * (y as i32 - self.y);
@@ -208,41 +209,6 @@ impl TileCoverage {
         }
         mask
     }
-}
-
-/// Whether an area is so small that its stamps are not worth classifying.
-#[inline(always)]
-pub(crate) fn is_small(area: &Rect) -> bool {
-    let stamps = |from: u32, to: u32| to.div_ceil(4) - from / 4;
-    stamps(area.x0, area.x1) * stamps(area.y0, area.y1) <= 6
-}
-
-/// The fragments of the stamp at screen position (x, y) that a compact triangle
-/// covers inside `area`.
-#[inline(always)]
-pub(crate) fn compact_stamp<S: Simd>(
-    s: S,
-    triangle: &Triangle,
-    area: &Rect,
-    x: u32,
-    y: u32,
-) -> u32 {
-    let mut mask = 0;
-    for j in (0..STAMP).step_by(S::LANES) {
-        let [px, py] = places(s, x as i32, y as i32, j);
-        // Outside any border the sign is set.
-        let columns = (px - s.splat(area.x0 as i32)) | (s.splat(area.x1 as i32 - 1) - px);
-        let rows = (py - s.splat(area.y0 as i32)) | (s.splat(area.y1 as i32 - 1) - py);
-        let mut outside = columns | rows;
-        // An edge that is not in use is zero everywhere. The low 32 bits of a
-        // value are those of the sum of the low 32 bits.
-        for edge in &triangle.edges {
-            let rise = px.mul(s.splat(edge.a)) + py.mul(s.splat(edge.b));
-            outside = outside | (s.splat(edge.c as i32) + rise);
-        }
-        mask |= outside.gt(s.splat(-1)).bits() << j;
-    }
-    mask
 }
 
 /// Fragments whose edge value is not negative.

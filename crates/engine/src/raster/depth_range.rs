@@ -64,6 +64,16 @@ pub(crate) fn is_hidden(pipeline: &Pipeline, (low, high): (u16, u16), tile: &Til
     }
 }
 
+/// Whether nothing can be hidden by a tile's bounds.
+#[inline(always)]
+pub(crate) fn hides_nothing(pipeline: &Pipeline, tile: &TileCell) -> bool {
+    match pipeline.state.depth.test {
+        Some(Compare::Less | Compare::LessEqual) => tile.high == 0xffff,
+        Some(Compare::Greater | Compare::GreaterEqual) => tile.low == 0,
+        _ => true,
+    }
+}
+
 /// Updates a tile's bounds for a triangle that is drawn; `whole` where every
 /// pixel of the tile is covered and none can be dropped except by depth.
 pub(crate) fn update_bounds(
@@ -80,7 +90,12 @@ pub(crate) fn update_bounds(
     let Some((low, high)) = range else { return tile.include(0, 0xffff) };
     let depth = &pipeline.state.depth;
     let constant = depth.compare_constant.is_some();
-    tile.include(low, high);
+    match depth.test {
+        // What passes is on that side of what was there.
+        Some(Compare::Less | Compare::LessEqual) if !constant => tile.include(low, tile.high),
+        Some(Compare::Greater | Compare::GreaterEqual) if !constant => tile.include(tile.low, high),
+        _ => tile.include(low, high),
+    }
     if !whole || constant {
         return;
     }

@@ -4,6 +4,8 @@
 mod coverage;
 mod depth_range;
 mod palette;
+mod queue;
+mod small;
 mod tile;
 
 pub(crate) use tile::TilePainter;

@@ -2,7 +2,7 @@
 
 use fillrate_simd::{Kernel, Simd};
 
-use super::coverage::{FULL, TileCoverage};
+use super::coverage::TileCoverage;
 use crate::kernel::palette::{Pixels, Place, StampPainter, source};
 use crate::setup::{Shape, Texels};
 use crate::state::{Compare, PaletteDraw, Rect};
@@ -123,8 +123,9 @@ impl<const SOURCE: u8> Kernel for Stamps<'_, SOURCE> {
         let painter = StampPainter::<SOURCE>::new(s, draw, shape);
         for y in coverage.rows() {
             for first in coverage.groups() {
-                for (x, full) in coverage.group(s, first, y).stamps(first) {
-                    let mask = if full { FULL } else { coverage.stamp(s, x, y) };
+                let strip = coverage.strip(s, first, y);
+                for (i, mask) in strip.live[..strip.count].iter().enumerate() {
+                    let (x, mask) = (strip.first.x as u32 + 4 * i as u32, u32::from(*mask));
                     if mask == 0 {
                         continue;
                     }

@@ -2,13 +2,18 @@
 
 use fillrate_simd::Simd;
 
-use super::coverage::{FULL, TileCoverage, compact_stamp, is_small, rect_mask};
-use super::depth_range::{depth_range, is_hidden, update_bounds};
+use super::coverage::{FULL, TileCoverage, clip_strip, rect_mask};
+use super::depth_range::{depth_range, hides_nothing, is_hidden, update_bounds};
 use super::palette::{PaletteTile, draw_shape};
+use super::queue::Queue;
+use super::small::{Small, is_small};
 use crate::bins::{Chunk, Entry, Grid};
 use crate::device::arena::{Arena, BatchState, Clear, Pixel, Run};
-use crate::kernel::block::{Block, SLOTS, STAMP, Slot};
-use crate::kernel::{ColorTile, Pass, Pipeline, StageList, Tile, run, stage_list};
+use crate::kernel::block::{Block, SLOTS, STAMP, Slot, Strip};
+use crate::kernel::depth::{DepthTest, early, test_strip};
+use crate::kernel::{
+    ColorTile, Pass, Pipeline, StageList, StripFn, Tile, run, stage_list, strip_function,
+};
 use crate::setup::{Shape, Triangle, Triangles};
 use crate::state::{Dither, Rect};
 use crate::stats::Counters;
@@ -25,12 +30,13 @@ pub(crate) struct TilePainter<'a, S: Simd> {
     format: PixelFormat,
     pub counters: Counters,
     block: Block,
+    queue: Queue,
     coverage: TileCoverage,
     list: StageList<S>,
-    /// The state that `list` belongs to.
+    /// Draws strips without queueing their stamps, where the state allows it.
+    strip: Option<StripFn<S>>,
+    /// The state that `list` and `strip` belong to.
     current: Option<Current<'a>>,
-    /// Slots of the block that other triangles than the current one hold.
-    foreign: usize,
 }
 
 /// A draw state in use.
@@ -41,6 +47,19 @@ struct Current<'a> {
     pixels: bool,
     pipeline: &'a Pipeline,
     clip: &'a Rect,
+}
+
+/// A triangle in a tile.
+#[derive(Clone, Copy)]
+struct Job<'a> {
+    current: Current<'a>,
+    triangles: &'a Triangles,
+    triangle: &'a Triangle,
+    index: u32,
+    /// Its part of the tile.
+    area: Rect,
+    /// Whether it goes by [`Small`].
+    small: bool,
 }
 
 /// One tile of the target while it is drawn.
@@ -56,6 +75,15 @@ impl Target<'_> {
         self.color.materialize();
         if let Some(aux) = &mut self.aux {
             aux.materialize();
+        }
+    }
+
+    /// The aux elements; none where there is no aux surface. They must be
+    /// materialized.
+    fn aux(&mut self) -> &mut [u16] {
+        match self.aux.as_mut().map(|aux| &mut aux.plane) {
+            Some(Plane::Bits16(pixels)) => pixels,
+            _ => &mut [],
         }
     }
 
@@ -82,10 +110,11 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             format,
             counters: Counters::default(),
             block: Block::new(),
+            queue: Queue::new(),
             coverage: TileCoverage::NONE,
             list: StageList::new(),
+            strip: None,
             current: None,
-            foreign: 0,
         }
     }
 
@@ -93,7 +122,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
     #[inline(always)]
     pub fn draw(
         &mut self,
-        chunks: &[Chunk],
+        chunks: &'a [Chunk],
         index: usize,
         color: &mut TileCell,
         aux: Option<&mut TileCell>,
@@ -140,114 +169,193 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             _ => &batch.pipeline,
         };
         stage_list(&pipeline.stages, &mut self.list);
+        self.strip = strip_function(&pipeline.stages);
         self.block.forget_steps();
         self.current = Some(Current { state, pixels, pipeline, clip: &batch.clip });
     }
 
-    /// Draws the fragments gathered so far.
+    /// Draws the stamps that wait.
     #[inline(always)]
     fn finish(&mut self, triangles: &Triangles, target: &mut Target<'_>) {
-        let Some(current) = &self.current else { return };
-        if self.block.count == 0 {
-            return;
+        if self.queue.len() > 0 {
+            self.drain(0, 1, triangles, target);
         }
+    }
+
+    /// Draws the first `foreign` stamps that wait, then the others while there
+    /// are at least `least` of them.
+    #[inline(always)]
+    fn drain(
+        &mut self,
+        foreign: usize,
+        least: usize,
+        triangles: &Triangles,
+        target: &mut Target<'_>,
+    ) {
+        let Some(current) = &self.current else { return };
         let pass = Pass { pipeline: current.pipeline, triangles };
         let mut tile = target.tile(self.format, &mut self.counters);
-        run(self.s, &self.list, &mut self.block, &pass, &mut tile);
-        self.foreign = 0;
+        let (mut first, len) = (0, self.queue.len());
+        while first < foreign || len - first >= least {
+            let end = if first < foreign { foreign } else { len };
+            let count = (end - first).min(SLOTS);
+            self.queue.fill(first, count, &mut self.block);
+            run(self.s, &self.list, &mut self.block, &pass, &mut tile);
+            first += count;
+        }
+        self.queue.keep_from(first);
     }
 
-    /// Adds a stamp's fragments to the block, drawing first what is in the
-    /// way: a full block, or other fragments of the same stamp.
+    /// Draws what can be drawn of the stamps that wait, the first `foreign` of
+    /// which are of other triangles than the others.
     #[inline(always)]
-    fn push(&mut self, slot: Slot, mask: u32, triangles: &Triangles, target: &mut Target<'_>) {
-        let count = self.block.count;
-        // A triangle has a stamp once, so only other triangles can hold it.
-        let mut held = false;
-        for other in &self.block.slots[..self.foreign.min(SLOTS)] {
-            held |= other.at == slot.at;
+    fn gathered(
+        &mut self,
+        pipeline: &Pipeline,
+        foreign: usize,
+        triangles: &Triangles,
+        target: &mut Target<'_>,
+    ) {
+        let foreign = if pipeline.in_order && self.queue.repeats(foreign) { foreign } else { 0 };
+        if foreign > 0 || self.queue.len() >= SLOTS {
+            self.drain(foreign, SLOTS, triangles, target);
         }
-        if held || count == SLOTS {
-            self.finish(triangles, target);
-        }
-        let block = &mut self.block;
-        let count = block.count & (SLOTS - 1);
-        block.slots[count] = slot;
-        block.live |= u64::from(mask) << (count * STAMP);
-        block.count = count + 1;
     }
 
     #[inline(always)]
-    fn triangle(&mut self, chunk: &Chunk, index: u32, target: &mut Target<'_>) {
-        let triangle = &chunk.triangles.list[index as usize];
-        let s = self.s;
+    fn triangle(&mut self, chunk: &'a Chunk, index: u32, target: &mut Target<'_>) {
+        let triangles = &chunk.triangles;
+        let triangle = &triangles.list[index as usize];
         let area = triangle.bounds.intersect(&target.rect);
         if area.is_empty() {
-            return;
-        }
-        let small = triangle.compact && is_small(&area);
-        if !small && !self.coverage.enter(s, triangle, &target.rect) {
             return;
         }
         let current = match self.current {
             Some(current) if current.state == triangle.state && !current.pixels => current,
             _ => {
-                self.finish(&chunk.triangles, target);
+                self.finish(triangles, target);
                 self.select(triangle.state, false);
                 let Some(current) = self.current else { return };
                 current
             }
         };
-        let triangles = &chunk.triangles;
-        let full = !small && self.coverage.is_full();
-        if self.is_hidden(&current, triangles, triangle, (&area, full), target) {
-            return match small {
-                true => self.count_small(triangle, &area, current.clip),
-                false => self.count_hidden(current.clip),
-            };
-        }
-        let clip = (!current.clip.contains(&area)).then_some(current.clip);
-        self.foreign = self.block.count;
-        if small {
-            target.materialize();
-            for (x, y) in stamps(&area) {
-                let mask = compact_stamp(s, triangle, &area, x, y);
-                self.stamp(chunk, index, (x, y), mask, clip, target);
-            }
+        let small = triangle.compact && is_small::<S>(&area) && current.clip.contains(&area);
+        if !small && !self.coverage.enter(self.s, triangle, &target.rect) {
             return;
         }
-        if self.replaces_tile(&current, triangles, target) {
+        let job = Job { current, triangles, triangle, index, area, small };
+        if self.is_hidden(&job, target) {
+            return if small { self.count_small(&job, target) } else { self.count_hidden(&job) };
+        }
+        if !small && self.replaces_tile(&job, target) {
             return;
         }
         target.materialize();
+        match current.pipeline.early {
+            early::NONE => self.stamps::<{ early::NONE }>(&job, target),
+            early::LESS => self.stamps::<{ early::LESS }>(&job, target),
+            early::LESS_EQUAL => self.stamps::<{ early::LESS_EQUAL }>(&job, target),
+            _ => self.stamps::<{ early::ANY }>(&job, target),
+        }
+    }
+
+    /// Draws a triangle's stamps; `EARLY` is one of [`early`].
+    #[inline(always)]
+    fn stamps<const EARLY: u8>(&mut self, job: &Job<'a>, target: &mut Target<'_>) {
+        if job.small {
+            self.small::<EARLY>(job, target);
+        } else {
+            self.large::<EARLY>(job, target);
+        }
+    }
+
+    /// The small triangle of a job.
+    fn as_small<'j>(&self, job: &'j Job<'a>, target: &Target<'_>) -> Small<'j> {
+        let (x, y) = (job.area.x0 - target.rect.x0, job.area.y0 - target.rect.y0);
+        let at = stamp_index(x & !3, y & !3, self.grid.bits) as u32;
+        let pitch = 4 << self.grid.bits;
+        Small { triangle: job.triangle, index: job.index, area: &job.area, at, pitch }
+    }
+
+    #[inline(always)]
+    fn small<const EARLY: u8>(&mut self, job: &Job<'a>, target: &mut Target<'_>) {
+        let small = self.as_small(job, target);
+        let pipeline = job.current.pipeline;
+        let test = DepthTest::new(pipeline);
+        let waiting = self.queue.len();
+        let aux = target.aux();
+        small.gather::<S, EARLY>(self.s, &test, aux, &mut self.queue, &mut self.counters);
+        self.gathered(pipeline, waiting, job.triangles, target);
+    }
+
+    #[inline(always)]
+    fn large<const EARLY: u8>(&mut self, job: &Job<'a>, target: &mut Target<'_>) {
+        let (s, Current { pipeline, clip, .. }) = (self.s, job.current);
+        let clip = (!clip.contains(&job.area)).then_some(clip);
+        let test = DepthTest::new(pipeline);
+        if self.strip.is_some() {
+            self.finish(job.triangles, target);
+        }
         for y in self.coverage.rows() {
             for first in self.coverage.groups() {
-                for (x, full) in self.coverage.group(s, first, y).stamps(first) {
-                    let mask = if full { FULL } else { self.coverage.stamp(s, x, y) };
-                    self.stamp(chunk, index, (x, y), mask, clip, target);
+                let mut strip = self.coverage.strip(s, first, y);
+                if strip.count == 0 {
+                    continue;
+                }
+                let (dx, dy) = (strip.first.x as u32 - target.rect.x0, y - target.rect.y0);
+                strip.first.at = stamp_index(dx, dy, self.grid.bits) as u32;
+                strip.first.triangle = job.index;
+                let mut left = strip.len();
+                self.counters.pixels_in += left;
+                if let Some(clip) = clip {
+                    clip_strip(&mut strip, clip);
+                    left = strip.len();
+                }
+                if EARLY != early::NONE {
+                    self.counters.depth_fail += left;
+                    let narrow = &job.triangle.narrow;
+                    test_strip::<S, EARLY>(s, &test, narrow, &mut strip, target.aux());
+                    left = strip.len();
+                    self.counters.depth_fail -= left;
+                }
+                if left > 0 {
+                    self.strip(job, &strip, target);
                 }
             }
         }
     }
 
+    /// Draws a strip, or queues its stamps.
+    #[inline(always)]
+    fn strip(&mut self, job: &Job<'a>, strip: &Strip, target: &mut Target<'_>) {
+        if let Some(draw) = self.strip {
+            let pass = Pass { pipeline: job.current.pipeline, triangles: job.triangles };
+            let mut tile = target.tile(self.format, &mut self.counters);
+            return draw(self.s, strip, &pass, &mut tile);
+        }
+        let waiting = self.queue.len();
+        let mut slot = strip.first;
+        for &live in &strip.live[..strip.count] {
+            self.queue.push(slot, live);
+            slot.at += STAMP as u32;
+            slot.x += 4;
+        }
+        self.gathered(job.current.pipeline, waiting, job.triangles, target);
+    }
+
     /// Draws a triangle of one colour over the whole tile as a pending clear,
     /// if that is what it is.
     #[inline(always)]
-    fn replaces_tile(
-        &mut self,
-        current: &Current<'_>,
-        triangles: &Triangles,
-        target: &mut Target<'_>,
-    ) -> bool {
-        let Some(stamp) = current.pipeline.flat else { return false };
+    fn replaces_tile(&mut self, job: &Job<'a>, target: &mut Target<'_>) -> bool {
+        let Some(stamp) = job.current.pipeline.flat else { return false };
         let visible = target.rect.intersect(&self.grid.bounds);
         let area = &self.coverage.area;
         let whole = self.coverage.is_full()
             && area.contains(&visible)
-            && current.clip.contains(&visible)
-            && current.pipeline.replaces_tile();
+            && job.current.clip.contains(&visible)
+            && job.current.pipeline.replaces_tile();
         if whole {
-            self.finish(triangles, target);
+            self.finish(job.triangles, target);
             self.counters.pixels_in += visible.area();
             self.counters.pixels_out += visible.area();
             target.color.clear(stamp.map(i32::from));
@@ -255,47 +363,23 @@ impl<'a, S: Simd> TilePainter<'a, S> {
         whole
     }
 
-    /// Counts and adds the covered fragments of the stamp at a screen position.
+    /// Whether depth bounds hide a triangle. Otherwise the bounds are updated for
+    /// drawing it.
     #[inline(always)]
-    fn stamp(
-        &mut self,
-        chunk: &Chunk,
-        triangle: u32,
-        (x, y): (u32, u32),
-        mut mask: u32,
-        clip: Option<&Rect>,
-        target: &mut Target<'_>,
-    ) {
-        self.counters.pixels_in += u64::from(mask.count_ones());
-        if let Some(clip) = clip {
-            mask &= rect_mask(clip, x, y);
-        }
-        if mask == 0 {
-            return;
-        }
-        let (dx, dy) = (x - target.rect.x0, y - target.rect.y0);
-        let at = stamp_index(dx, dy, self.grid.bits) as u32;
-        let slot = Slot { triangle, at, x: x as i32, y: y as i32 };
-        self.push(slot, mask, &chunk.triangles, target);
-    }
-
-    /// Whether depth bounds hide the triangle, which covers all of `area` where
-    /// it is `full`. Otherwise the bounds are updated for drawing it.
-    #[inline(always)]
-    fn is_hidden(
-        &mut self,
-        current: &Current<'_>,
-        triangles: &Triangles,
-        triangle: &Triangle,
-        (area, full): (&Rect, bool),
-        target: &mut Target<'_>,
-    ) -> bool {
-        let (pipeline, clip) = (current.pipeline, current.clip);
+    fn is_hidden(&mut self, job: &Job<'a>, target: &mut Target<'_>) -> bool {
+        let Current { pipeline, clip, .. } = job.current;
         let Some(aux) = &mut target.aux else { return false };
         if !pipeline.needs.depth && !pipeline.writes_aux() {
             return false;
         }
-        let range = depth_range(pipeline, triangles, triangle, area);
+        if job.small && hides_nothing(pipeline, aux) {
+            // Its range is not worth working out.
+            if pipeline.writes_aux() {
+                aux.include(0, 0xffff);
+            }
+            return false;
+        }
+        let range = depth_range(pipeline, job.triangles, job.triangle, &job.area);
         if let Some(range) = range
             && pipeline.state.stipple.is_none()
             && is_hidden(pipeline, range, aux)
@@ -303,8 +387,9 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             return true;
         }
         let visible = target.rect.intersect(&self.grid.bounds);
-        let whole = full
-            && area.contains(&visible)
+        let whole = !job.small
+            && self.coverage.is_full()
+            && job.area.contains(&visible)
             && clip.contains(&visible)
             && pipeline.state.stipple.is_none()
             && !pipeline.needs.late_depth_write;
@@ -313,34 +398,30 @@ impl<'a, S: Simd> TilePainter<'a, S> {
     }
 
     /// Counts the fragments of a small hidden triangle.
-    #[inline(always)]
-    fn count_small(&mut self, triangle: &Triangle, area: &Rect, clip: &Rect) {
-        for (x, y) in stamps(area) {
-            let mask = compact_stamp(self.s, triangle, area, x, y);
-            let inside = mask & rect_mask(clip, x, y);
-            self.counters.pixels_in += u64::from(mask.count_ones());
-            self.counters.depth_fail += u64::from(inside.count_ones());
-        }
+    fn count_small(&mut self, job: &Job<'a>, target: &Target<'_>) {
+        let small = self.as_small(job, target);
+        let (waiting, before) = (self.queue.len(), self.counters.pixels_in);
+        let (queue, counters) = (&mut self.queue, &mut self.counters);
+        small.gather::<S, { early::NONE }>(self.s, &DepthTest::NONE, &mut [], queue, counters);
+        self.queue.truncate(waiting);
+        self.counters.depth_fail += self.counters.pixels_in - before;
     }
 
     /// Counts the fragments of a hidden triangle.
     #[inline(always)]
-    fn count_hidden(&mut self, clip: &Rect) {
-        let coverage = &self.coverage;
-        let area = coverage.area;
+    fn count_hidden(&mut self, job: &Job<'a>) {
+        let (coverage, clip) = (&self.coverage, job.current.clip);
         if coverage.is_full() {
-            self.counters.pixels_in += area.area();
-            self.counters.depth_fail += area.intersect(clip).area();
+            self.counters.pixels_in += job.area.area();
+            self.counters.depth_fail += job.area.intersect(clip).area();
             return;
         }
         for y in coverage.rows() {
             for first in coverage.groups() {
-                for (x, _) in coverage.group(self.s, first, y).stamps(first) {
-                    let mask = coverage.stamp(self.s, x, y);
-                    let inside = mask & rect_mask(clip, x, y);
-                    self.counters.pixels_in += u64::from(mask.count_ones());
-                    self.counters.depth_fail += u64::from(inside.count_ones());
-                }
+                let mut strip = coverage.strip(self.s, first, y);
+                self.counters.pixels_in += strip.len();
+                clip_strip(&mut strip, clip);
+                self.counters.depth_fail += strip.len();
             }
         }
     }
@@ -404,19 +485,11 @@ impl<'a, S: Simd> TilePainter<'a, S> {
                 let at = stamp_index(x - target.rect.x0, y - target.rect.y0, self.grid.bits);
                 let slot = Slot { triangle: 0, at: at as u32, x: x as i32, y: y as i32 };
                 // One stamp a block: the fragments are already in its lanes.
-                self.push(slot, mask, &none, target);
+                self.queue.push(slot, mask as u16);
                 self.finish(&none, target);
             }
         }
     }
-}
-
-/// Screen positions of the stamps that an area touches, row by row.
-#[inline(always)]
-fn stamps(area: &Rect) -> impl Iterator<Item = (u32, u32)> + use<> {
-    let Rect { x0, y0, x1, y1 } = *area;
-    let (x0, y0) = (x0 & !3, y0 & !3);
-    (y0..y1).step_by(4).flat_map(move |y| (x0..x1).step_by(4).map(move |x| (x, y)))
 }
 
 /// Puts a ready-made fragment into a lane.

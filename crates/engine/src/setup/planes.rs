@@ -104,7 +104,8 @@ pub(crate) struct Triangle {
     /// Whether w, and s, t, w of the units in use, are small enough over
     /// `bounds` to be iterated in floats exactly.
     pub exact: bool,
-    /// Whether it is so small that 32 bits hold its edges' values at and around
+    /// Whether three edges alone tell its pixels, those beyond the screen's end
+    /// included, and it is so small that 32 bits hold their values at and around
     /// its pixels.
     pub compact: bool,
     /// First of its groups of 64-bit planes in [`Triangles`].
@@ -207,7 +208,7 @@ pub(crate) fn prepare<'a>(
         state,
         edge_count: 0,
         exact,
-        compact: is_compact(launch),
+        compact: is_compact(launch) && ends_at_stamps(&bounds, screen),
         wide,
         lod_base: lods,
         edges: [Edge::default(); 3],
@@ -232,14 +233,36 @@ fn add_edges(triangle: &mut Triangle, launch: &Launch, screen: &Screen) {
             triangle.edge_count += 1;
         }
     }
+    if triangle.compact && triangle.edge_count < 3 {
+        // A level side: the bounds' first or last row.
+        let first = (a[1] == b[1]) == (screen.origin == Origin::UpperLeft);
+        let Rect { y0, y1, .. } = triangle.bounds;
+        triangle.edges[2] = match first {
+            true => Edge { a: 0, b: 1, c: -i64::from(y0) },
+            false => Edge { a: 0, b: -1, c: i64::from(y1) - 1 },
+        };
+        triangle.edge_count = 3;
+    }
 }
 
-/// Whether a triangle fits in 256 pixels each way.
+/// Whether a triangle fits in 256 pixels each way, and its corners' order and
+/// the sign of its area are as they should be: registers can say anything.
 #[inline(always)]
 fn is_compact(launch: &Launch) -> bool {
-    let [ax, bx, cx] = launch.x;
+    let ([ax, bx, cx], [ay, by, cy]) = (launch.x, launch.y);
     let width = ax.max(bx).max(cx) - ax.min(bx).min(cx);
-    width.max(launch.y[2] - launch.y[0]) < 256 << COORD_FRACTION
+    let small = width.max(cy - ay) < 256 << COORD_FRACTION;
+    let sorted = ay <= by && by <= cy;
+    // Below 2^13 each, where it counts.
+    let area = (bx - ax).wrapping_mul(cy - ay).wrapping_sub((cx - ax).wrapping_mul(by - ay));
+    small & sorted & ((area < 0) == launch.negative)
+}
+
+/// Whether no stamp that bounds touch reaches beyond the screen.
+#[inline(always)]
+fn ends_at_stamps(bounds: &Rect, screen: &Screen) -> bool {
+    let inside = |end: u32, size: u32| (end + STAMP - 1) & !(STAMP - 1) <= size;
+    inside(bounds.x1, screen.width) && inside(bounds.y1, screen.height)
 }
 
 /// The part of the screen that can be covered, or `None`.

@@ -1,3 +1,5 @@
 //! Tests of RAVE through its calls.
 
 mod calls;
+mod conformance;
+mod scene;

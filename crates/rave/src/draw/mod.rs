@@ -1,0 +1,93 @@
+//! Primitives: from the program's vertices to the renderer's.
+//!
+//! Source: RAVE, drawing methods and pixel pipeline.
+
+mod array;
+mod bitmap;
+mod clip;
+mod convert;
+mod line;
+mod prepare;
+mod triangle;
+
+pub(crate) use prepare::Prepared;
+
+use crate::RaveError;
+use crate::batch::{Corner, FullState};
+use crate::draw_context::DrawContext;
+use crate::objects::Objects;
+use crate::queue::Queue;
+use crate::translate::{Variant, draw_state};
+
+/// Draws into one context.
+pub(crate) struct Pen<'a> {
+    pub context: &'a mut DrawContext,
+    pub queue: &'a mut Queue,
+    pub objects: &'a mut Objects,
+}
+
+impl Pen<'_> {
+    /// Whether drawing is allowed. Outside a frame, and while the program has
+    /// access to the buffers, it is an error.
+    #[inline]
+    fn may_draw(&mut self) -> bool {
+        let accessed = self.context.draw_buffer_accessed || self.context.z_buffer_accessed;
+        if !self.context.in_frame || accessed {
+            self.context.fail(RaveError::Failure);
+            return false;
+        }
+        if self.context.prepared.is_none() {
+            let prepared = prepare::prepare(self.context, self.objects);
+            self.context.prepared = Some(Box::new(prepared));
+        }
+        true
+    }
+
+    /// Draws what follows in a variant of the current state.
+    fn choose(&mut self, variant: &Variant) {
+        if self.queue.batch.is_full() {
+            self.queue.flush();
+        }
+        let Some(prepared) = self.context.prepared.as_deref_mut() else { return };
+        self.queue.target(self.context.id.0, prepared.around.plane);
+        if prepared.serial != Some(self.queue.serial) {
+            prepared.serial = Some(self.queue.serial);
+            prepared.variants.clear();
+        }
+        let known = prepared.variants.iter().find(|(known, _)| known == variant);
+        let index = match known {
+            Some((_, index)) => *index,
+            None => {
+                let draw = draw_state(&self.context.state, &prepared.around, variant);
+                let textures = prepared.textures_of(variant.paint);
+                let index = self.queue.batch.states.len() as u32;
+                self.queue.batch.states.push(FullState { draw, textures });
+                prepared.variants.push((*variant, index));
+                index
+            }
+        };
+        self.queue.state(index);
+    }
+
+    /// Adds a triangle by the chosen variant; it may reach beyond what the
+    /// renderer's coordinates hold.
+    fn add(&mut self, corners: [Corner; 3], is_extended: bool) {
+        if !corners.iter().all(clip::fits) {
+            let polygon = clip::to_guard(&corners, self.context.size);
+            for i in 1..polygon.len().saturating_sub(1) {
+                self.add_inside([polygon[0], polygon[i], polygon[i + 1]], is_extended);
+            }
+            return;
+        }
+        self.add_inside(corners, is_extended);
+    }
+
+    #[inline]
+    fn add_inside(&mut self, corners: [Corner; 3], is_extended: bool) {
+        if is_extended {
+            self.queue.batch.extended(corners);
+        } else {
+            self.queue.batch.triangle(corners.map(|corner| corner.vertex));
+        }
+    }
+}
