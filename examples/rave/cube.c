@@ -58,7 +58,7 @@ static void draw_cube(TQADrawContext *context, float yaw, float pitch)
             Corner corner;
 
             shine *= shine * shine * 0.55f;
-            corner.position = vec3(at.x, at.y, at.z + 4.6f);
+            corner.position = vec3(at.x, at.y, at.z + 3.5f);
             corner.u = u[i];
             corner.v = v[i];
             corner.r = corner.g = corner.b = light;

@@ -195,7 +195,7 @@ static void draw_torus(const TQADrawContext *context, int frame)
             float inv = 1 / (p.z + 5.6f), light = 1.35f * inv * 4 - 0.45f;
 
             vertices[i * ACROSS + j] =
-                gouraud(160 + 215 * p.x * inv, 120 - 215 * p.y * inv, 1 - inv * 2,
+                gouraud(160 + 215 * p.x * inv, 110 - 215 * p.y * inv, 1 - inv * 2,
                         light * (0.45f + 0.5f * turn_sin(a) * turn_sin(a)), light * 0.75f,
                         light * (0.95f - 0.5f * turn_sin(a) * turn_sin(a)), 1);
         }

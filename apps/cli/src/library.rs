@@ -21,8 +21,10 @@ pub const GLIDE2X: &str = "glide2x";
 pub const RENDER_CLIENT: &str = "render_client";
 /// Quark 3D.
 pub const QUARK3D: &str = "quark3d";
+/// QuickDraw 3D RAVE.
+pub const RAVE: &str = "rave";
 /// Every drop-in library.
-pub const LIBRARIES: [&str; 3] = [GLIDE2X, RENDER_CLIENT, QUARK3D];
+pub const LIBRARIES: [&str; 4] = [GLIDE2X, RENDER_CLIENT, QUARK3D, RAVE];
 
 /// The variable that makes the dynamic linker look into our folder first.
 pub const SEARCH_PATH: &str =

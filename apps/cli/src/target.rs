@@ -6,6 +6,7 @@ use fillrate_glide::card::Card;
 use fillrate_glide::{Call, Context, GlideConfig};
 use fillrate_player::{Frame, Pixels, Target, TargetError};
 use fillrate_quark as quark;
+use fillrate_rave as rave;
 use fillrate_raw as raw;
 use fillrate_trace::Meta;
 use fillrate_trace::meta::CONFIG_PREFIX;
@@ -29,6 +30,7 @@ impl Target for AnyTarget {
             None | Some("glide2x") => Box::new(GlideTarget::start(meta, &self.device)?),
             Some("raw") => Box::new(RawTarget::start(meta, self.device.threads)?),
             Some("quark3d") => Box::new(QuarkTarget(quark::Context::new(self.device.clone()))),
+            Some("rave") => Box::new(RaveTarget::start(meta, &self.device)?),
             Some(api) => {
                 return Err(format!("the trace holds calls of {api}, which is unknown").into());
             }
@@ -135,6 +137,37 @@ impl Target for QuarkTarget {
     fn execute(&mut self, call: &[u8], blobs: &dyn BlobSource) -> Result<(), TargetError> {
         let mut decoder = Decoder::with_blobs(call, blobs);
         let call: quark::Call = decoder.value()?;
+        decoder.finish()?;
+        self.0.execute(&call);
+        Ok(())
+    }
+
+    fn frame(&mut self) -> Option<Frame> {
+        let shown = self.0.shown()?;
+        Frame::new(shown.width, shown.height, Pixels::Rgba8(shown.rgba8888())).ok()
+    }
+}
+
+/// Executes recorded calls of RAVE.
+struct RaveTarget(rave::Context);
+
+impl RaveTarget {
+    fn start(meta: &Meta, device: &DeviceConfig) -> Result<RaveTarget, TargetError> {
+        let mut config =
+            rave::RaveConfig { device: device.clone(), ..rave::RaveConfig::default() };
+        config.describe(|key| meta.get(key))?;
+        Ok(RaveTarget(rave::Context::new(config)))
+    }
+}
+
+impl Target for RaveTarget {
+    fn start(&mut self, _meta: &Meta) -> Result<(), TargetError> {
+        Ok(())
+    }
+
+    fn execute(&mut self, call: &[u8], blobs: &dyn BlobSource) -> Result<(), TargetError> {
+        let mut decoder = Decoder::with_blobs(call, blobs);
+        let call: rave::Call = decoder.value()?;
         decoder.finish()?;
         self.0.execute(&call);
         Ok(())

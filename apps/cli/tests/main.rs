@@ -7,6 +7,8 @@ mod card;
 mod conformance;
 #[path = "quark/mod.rs"]
 mod quark;
+#[path = "rave/mod.rs"]
+mod rave;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -132,7 +134,7 @@ fn recordings_replay_to_the_same_frames() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut count = 0;
     for (examples_of, library) in
-        [("glide", "glide2x"), ("raw", "render_client"), ("quark", "quark3d")]
+        [("glide", "glide2x"), ("raw", "render_client"), ("quark", "quark3d"), ("rave", "rave")]
     {
         for file in examples(&format!("examples/{examples_of}")) {
             let program = compile(&file, library, folder.path());

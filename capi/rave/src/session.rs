@@ -110,7 +110,6 @@ pub struct Session {
     capture: Option<FrameLog>,
     exit_after: Option<u64>,
     frames: u64,
-    screens: usize,
     pub engines: Engines,
     pub contexts: HashMap<usize, Known>,
     pub foreign: HashMap<usize, Foreign>,
@@ -163,7 +162,6 @@ impl Session {
             capture,
             exit_after: settings.exit_after,
             frames: 0,
-            screens: 0,
             engines,
             contexts: HashMap::new(),
             foreign: HashMap::new(),
@@ -185,10 +183,13 @@ impl Session {
         self.context.execute(call)
     }
 
-    /// The number of a screen for a new context.
-    pub fn new_screen(&mut self) -> usize {
-        self.screens += 1;
-        self.screens - 1
+    /// The number of a screen for a new context: the first that is free.
+    pub fn new_screen(&self) -> usize {
+        let is_taken = |n: &usize| {
+            let mut shown = self.contexts.values().filter(|known| !known.is_cache);
+            shown.any(|known| known.screen == *n)
+        };
+        (0..).find(|n| !is_taken(n)).unwrap_or(0)
     }
 
     /// Hands a frame of a context to whoever wants it. Ends the program where it

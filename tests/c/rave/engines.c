@@ -324,7 +324,7 @@ static void check_drawing(const Target *target, TQAEngine *mine)
     seen.xs = seen.flags = 0;
     QASubmitVerticesGouraud(context, 6, v);
     QADrawTriMeshGouraud(context, 3, triangles);
-    CHECK(seen.triangles == 9 && seen.x[0] == 20100 && seen.x[1] == 12 && seen.flags == 3);
+    CHECK(seen.triangles == 9 && seen.x[0] == 20100 && seen.x[1] == 102 && seen.flags == 3);
     QASubmitVerticesTexture(context, 4, t);
     QADrawTriMeshTexture(context, 1, triangles);
     CHECK(seen.textured == 3);
