@@ -153,8 +153,7 @@ struct RaveTarget(rave::Context);
 
 impl RaveTarget {
     fn start(meta: &Meta, device: &DeviceConfig) -> Result<RaveTarget, TargetError> {
-        let mut config =
-            rave::RaveConfig { device: device.clone(), ..rave::RaveConfig::default() };
+        let mut config = rave::RaveConfig { device: device.clone(), ..rave::RaveConfig::default() };
         config.describe(|key| meta.get(key))?;
         Ok(RaveTarget(rave::Context::new(config)))
     }

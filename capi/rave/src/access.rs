@@ -4,7 +4,7 @@
 use std::ffi::c_void;
 
 use fillrate_guard::{guard, write};
-use fillrate_rave::{Call, BitmapId, DrawContextId, PixelType, RaveRect, Reply, Shown, TextureId};
+use fillrate_rave::{BitmapId, Call, DrawContextId, PixelType, RaveRect, Reply, Shown, TextureId};
 
 use crate::draw::{context_number, on};
 use crate::layout::{PARAM_ERR, RawDrawContext, RawMemory, RawRect, RawZBuffer, value};
@@ -70,9 +70,8 @@ impl Staging {
         let mut rows = Vec::with_capacity(count * rect.height() as usize);
         for y in rect.top as usize..rect.bottom as usize {
             // SAFETY: the block holds all rows.
-            let row = unsafe {
-                std::slice::from_raw_parts(self.base().add(y * self.row + first), count)
-            };
+            let row =
+                unsafe { std::slice::from_raw_parts(self.base().add(y * self.row + first), count) };
             rows.extend_from_slice(row);
         }
         (rect, rows)
@@ -305,8 +304,7 @@ impl Session {
         let (pixel_type, image) = opened.ok_or(ERROR)?;
         let (width, height) = (image.width as u32, image.height as u32);
         let row = pixel_type.row_bytes(width);
-        let staging =
-            Staging::new(image.pixels.to_vec(), [width, height], pixel_type.bits(), row);
+        let staging = Staging::new(image.pixels.to_vec(), [width, height], pixel_type.bits(), row);
         let memory = staging.memory(pixel_type);
         self.accesses.insert((is_bitmap, number), staging);
         Ok(memory)
@@ -401,8 +399,7 @@ pub unsafe extern "C" fn QAAccessBitmap(
             // SAFETY: the caller's promise.
             Who::Program(engine) => unsafe { engine.access_bitmap(bitmap, flags, buffer.cast()) },
             Who::BuiltIn => {
-                let call =
-                    Call::AccessBitmap { engine: number_of(engine), bitmap: number, flags };
+                let call = Call::AccessBitmap { engine: number_of(engine), bitmap: number, flags };
                 let opened = session().open_picture((true, number), &call);
                 // SAFETY: the caller's promise.
                 opened.map(|memory| unsafe { write(buffer, memory) }).err().unwrap_or(0)

@@ -86,9 +86,7 @@ pub unsafe extern "C" fn QADrawContextNew(
             // SAFETY: the caller's promise.
             Some(Who::BuiltIn) => unsafe { new_built_in(device, rect, clip, flags) },
             // SAFETY: the caller's promise.
-            Some(Who::Program(engine)) => unsafe {
-                new_foreign(engine, device, rect, clip, flags)
-            },
+            Some(Who::Program(engine)) => unsafe { new_foreign(engine, device, rect, clip, flags) },
         };
         match result {
             Ok(context) => {
@@ -171,9 +169,8 @@ unsafe fn new_foreign(
     let foreign = Foreign { engine, submitted: [(0, 0); 2] };
     session().foreign.insert(context as usize, foreign);
     // SAFETY: the caller's promise; the context is new.
-    let status = unsafe {
-        engine.draw_private_new(context, device.cast(), rect.cast(), clip.cast(), flags)
-    };
+    let status =
+        unsafe { engine.draw_private_new(context, device.cast(), rect.cast(), clip.cast(), flags) };
     if status != 0 {
         session().foreign.remove(&(context as usize));
         // SAFETY: made above, and known to nobody now.

@@ -304,7 +304,8 @@ pub extern "C" fn submit_multi_texture_params(
 ) {
     let address = context as usize;
     on(context, (), |session, number| {
-        let layer = session.context.get_int(DrawContextId(number), tags::int::MULTI_TEXTURE_CURRENT);
+        let layer =
+            session.context.get_int(DrawContextId(number), tags::int::MULTI_TEXTURE_CURRENT);
         if let Some(known) = session.contexts.get_mut(&address) {
             known.params.insert(layer, Lent::new(params, count.min(MAX_ELEMENTS)));
         }

@@ -258,11 +258,7 @@ pub unsafe fn image_chain(images: *const RawImage, is_mipmapped: bool) -> Vec<Ra
 pub fn device_value(raw: &RawDevice) -> DeviceValue {
     if raw.device_type == fillrate_rave::constants::device::OFFSCREEN {
         let pixel_type = raw.memory.row_bytes as u32;
-        return DeviceValue {
-            device_type: raw.device_type,
-            pixel_type,
-            ..DeviceValue::default()
-        };
+        return DeviceValue { device_type: raw.device_type, pixel_type, ..DeviceValue::default() };
     }
     DeviceValue {
         device_type: raw.device_type,

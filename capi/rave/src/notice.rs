@@ -5,7 +5,9 @@ use std::ffi::{c_long, c_void};
 use fillrate_guard::{guard, write};
 use fillrate_rave::{Call, DrawContextId, RaveRect, constants};
 
-use crate::layout::{Method, PARAM_ERR, RawDevice, RawDrawContext, RawGlobalRect, RawMemory, RawRect};
+use crate::layout::{
+    Method, PARAM_ERR, RawDevice, RawDrawContext, RawGlobalRect, RawMemory, RawRect,
+};
 use crate::session::session;
 
 /// A function of the program and what it is called with.
@@ -24,12 +26,8 @@ impl Default for Notice {
 /// `TQAStandardNoticeMethod`.
 type Standard = unsafe extern "C" fn(*const RawDrawContext, *mut c_void);
 /// `TQABufferNoticeMethod`.
-type Buffer = unsafe extern "C" fn(
-    *const RawDrawContext,
-    *const RawDevice,
-    *const RawRect,
-    *mut c_void,
-);
+type Buffer =
+    unsafe extern "C" fn(*const RawDrawContext, *const RawDevice, *const RawRect, *mut c_void);
 /// `TQADrawNotificationProc`.
 type DrawProc = unsafe extern "C" fn(i16, i16, i16, i16, c_long);
 
@@ -215,7 +213,5 @@ pub unsafe extern "C" fn QARegisterDrawNotificationProc(
 /// Ends it.
 #[unsafe(no_mangle)]
 pub extern "C" fn QAUnregisterDrawNotificationProc(ref_num: i32) -> i32 {
-    guard(ERROR, || {
-        if session().draw_notices.remove(&ref_num).is_some() { 0 } else { PARAM_ERR }
-    })
+    guard(ERROR, || if session().draw_notices.remove(&ref_num).is_some() { 0 } else { PARAM_ERR })
 }

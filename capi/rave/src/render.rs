@@ -63,9 +63,7 @@ pub unsafe extern "C" fn render_end(
 
 /// `QARenderAbort`.
 pub extern "C" fn render_abort(context: *const RawDrawContext) -> i32 {
-    on(context, PARAM_ERR, |session, context| {
-        session.call(&Call::RenderAbort { context }).number()
-    })
+    on(context, PARAM_ERR, |session, context| session.call(&Call::RenderAbort { context }).number())
 }
 
 /// Makes a call, and shows what it made visible.
@@ -75,8 +73,7 @@ fn call_and_show(
     call: impl FnOnce(u32) -> Call,
 ) -> i32 {
     guard(ERROR, || {
-        let status =
-            on(context, PARAM_ERR, |session, number| session.call(&call(number)).number());
+        let status = on(context, PARAM_ERR, |session, number| session.call(&call(number)).number());
         // SAFETY: no lock is held.
         unsafe { show(context, is_frame) };
         status
@@ -181,7 +178,11 @@ impl Session {
     /// # Safety
     /// The device's memory is as the program described it; the library refused
     /// rectangles beyond it.
-    unsafe fn copy_out(&mut self, context: *const RawDrawContext, area: &RaveRect) -> Option<usize> {
+    unsafe fn copy_out(
+        &mut self,
+        context: *const RawDrawContext,
+        area: &RaveRect,
+    ) -> Option<usize> {
         let known = self.contexts.get(&(context as usize))?;
         let Some(device) = known.device else { return Some(known.screen) };
         let shown = self.context.shown_by(DrawContextId(known.number))?;

@@ -206,7 +206,9 @@ impl Session {
     }
 
     fn note_frame(&mut self, number: u32, screen: usize) {
-        let Some(frame) = self.context.shown_by(DrawContextId(number)).and_then(frame_of) else { return };
+        let Some(frame) = self.context.shown_by(DrawContextId(number)).and_then(frame_of) else {
+            return;
+        };
         let counters = self.context.counters();
         let drawn = Drawn { triangles: counters.triangles_drawn, pixels: counters.pixels_in };
         if let Some(log) = &mut self.capture

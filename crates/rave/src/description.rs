@@ -37,10 +37,7 @@ impl RaveConfig {
     ///
     /// # Errors
     /// What is wrong with a value, in words.
-    pub fn describe<'a>(
-        &mut self,
-        find: impl Fn(&str) -> Option<&'a str>,
-    ) -> Result<(), String> {
+    pub fn describe<'a>(&mut self, find: impl Fn(&str) -> Option<&'a str>) -> Result<(), String> {
         let number = |key: &str| match find(key).map(|text| (text, text.parse::<u64>())) {
             Some((text, Err(_))) => Err(format!("{key} = {text} is not a number")),
             Some((_, Ok(number))) => Ok(Some(number)),

@@ -4,6 +4,7 @@
 mod bytes;
 mod calls;
 mod quark;
+mod rave;
 mod streams;
 mod textures;
 
@@ -13,6 +14,7 @@ use fillrate_glide::Context;
 pub use bytes::Bytes;
 pub use calls::any_call;
 pub use quark::{any_quark_call, run_quark};
+pub use rave::{any_rave_call, run_rave};
 pub use streams::{Left, context, run_stream};
 pub use textures::{run_file, run_texture};
 
@@ -29,11 +31,14 @@ pub enum Target {
     Files,
     /// Streams of Quark 3D's calls.
     Quark,
+    /// Streams of RAVE's calls.
+    Rave,
 }
 
 impl Target {
     /// All of them.
-    pub const ALL: [Target; 4] = [Target::Calls, Target::Textures, Target::Files, Target::Quark];
+    pub const ALL: [Target; 5] =
+        [Target::Calls, Target::Textures, Target::Files, Target::Quark, Target::Rave];
 
     /// The name on command lines.
     pub fn name(self) -> &'static str {
@@ -42,6 +47,7 @@ impl Target {
             Target::Textures => "textures",
             Target::Files => "files",
             Target::Quark => "quark",
+            Target::Rave => "rave",
         }
     }
 }
@@ -75,6 +81,7 @@ impl Fuzzer {
             Target::Textures => run_texture(context, bytes),
             Target::Files => run_file(bytes),
             Target::Quark => drop(run_quark(bytes, 1)),
+            Target::Rave => drop(run_rave(bytes, 1)),
         }
     }
 }

@@ -55,7 +55,8 @@ fn headers_and_library_have_the_same_functions() {
     assert_eq!(declared, exports());
     // Each of the 35 methods has its macro, its function, and its tag.
     let (text, system) = (header("RAVE"), header("RAVE_system"));
-    let macros = text.lines().filter(|line| line.starts_with("#define QA") && line.contains("(ctx"));
+    let macros =
+        text.lines().filter(|line| line.starts_with("#define QA") && line.contains("(ctx"));
     let macros: Vec<&str> = macros
         .filter_map(|line| line.strip_prefix("#define ")?.split_once('(').map(|(name, _)| name))
         .collect();
