@@ -5,7 +5,7 @@ use std::sync::Arc;
 use fillrate_engine::state::{DrawState, MAX_TMUS, Rect};
 use fillrate_engine::{
     ClearValues, Cull, Device, DeviceConfig, EngineError, PixelFormat, PixelRun, Registers,
-    SurfaceId, Texture, Vertex,
+    SurfaceId, Texture, Vertex, VertexExtra,
 };
 
 use crate::reference::{Reference, Textures};
@@ -16,6 +16,8 @@ pub trait Canvas {
     fn set_state(&mut self, state: &DrawState, textures: &Textures);
     /// Sets a triangle up and draws it.
     fn triangle(&mut self, vertices: &[Vertex; 3], cull: Cull);
+    /// Sets a triangle up with what its vertices have besides, and draws it.
+    fn extended(&mut self, vertices: &[Vertex; 3], extras: &[VertexExtra; 3], cull: Cull);
     /// Draws a triangle that was set up elsewhere.
     fn launch(&mut self, registers: &Registers);
     /// Draws ready-made fragments.
@@ -51,6 +53,10 @@ impl Canvas for ReferenceCanvas {
         self.reference.triangle(&self.state, &self.textures, vertices, cull);
     }
 
+    fn extended(&mut self, vertices: &[Vertex; 3], extras: &[VertexExtra; 3], cull: Cull) {
+        self.reference.extended(&self.state, &self.textures, vertices, extras, cull);
+    }
+
     fn launch(&mut self, registers: &Registers) {
         self.reference.launch(&self.state, &self.textures, registers);
     }
@@ -83,13 +89,13 @@ impl DeviceCanvas {
         config: DeviceConfig,
         (width, height): (u32, u32),
         format: PixelFormat,
-        aux: bool,
+        aux: Option<PixelFormat>,
     ) -> Result<DeviceCanvas, EngineError> {
         let mut device = Device::new(config)?;
         let color = device.create_surface(width, height, format)?;
         let aux = match aux {
-            true => Some(device.create_surface(width, height, PixelFormat::Aux16)?),
-            false => None,
+            Some(aux) => Some(device.create_surface(width, height, aux)?),
+            None => None,
         };
         device.set_target(color, aux)?;
         Ok(DeviceCanvas { device, size: (width, height), color, aux })
@@ -104,14 +110,14 @@ impl DeviceCanvas {
         &mut self,
         (width, height): (u32, u32),
         format: PixelFormat,
-        aux: bool,
+        aux: Option<PixelFormat>,
     ) -> Result<(), EngineError> {
         let device = &mut self.device;
         let old = [Some(self.color), self.aux];
         self.color = device.create_surface(width, height, format)?;
         self.aux = match aux {
-            true => Some(device.create_surface(width, height, PixelFormat::Aux16)?),
-            false => None,
+            Some(aux) => Some(device.create_surface(width, height, aux)?),
+            None => None,
         };
         self.size = (width, height);
         device.set_target(self.color, self.aux)?;
@@ -126,10 +132,10 @@ impl DeviceCanvas {
     }
 
     /// Puts elements into the surfaces, row by row from the top.
-    pub fn load(&mut self, color: &[u32], aux: Option<&[u16]>) {
+    pub fn load(&mut self, color: &[u32], aux: Option<&[u32]>) {
         store(&mut self.device, self.color, color.iter().copied());
         if let (Some(id), Some(aux)) = (self.aux, aux) {
-            store(&mut self.device, id, aux.iter().map(|&value| u32::from(value)));
+            store(&mut self.device, id, aux.iter().copied());
         }
     }
 
@@ -137,13 +143,14 @@ impl DeviceCanvas {
     pub fn result(&mut self) -> Reference {
         let counters = self.device.counters();
         let (format, color) = elements(&mut self.device, self.color);
-        let aux = self.aux.map(|id| elements(&mut self.device, id).1);
+        let aux = self.aux.map(|id| elements(&mut self.device, id));
         Reference {
             width: self.size.0,
             height: self.size.1,
             format,
             color,
-            aux: aux.map(|aux| aux.into_iter().map(|value| value as u16).collect()),
+            aux_format: aux.as_ref().map(|aux| aux.0),
+            aux: aux.map(|aux| aux.1),
             counters,
         }
     }
@@ -170,6 +177,10 @@ impl Canvas for DeviceCanvas {
 
     fn triangle(&mut self, [a, b, c]: &[Vertex; 3], cull: Cull) {
         self.device.draw_triangle([a, b, c], cull);
+    }
+
+    fn extended(&mut self, vertices: &[Vertex; 3], extras: &[VertexExtra; 3], cull: Cull) {
+        self.device.draw_extended(vertices.each_ref(), extras.each_ref(), cull);
     }
 
     fn launch(&mut self, registers: &Registers) {

@@ -35,14 +35,14 @@ pub fn golden_cells() -> Vec<DeviceConfig> {
 /// # Panics
 /// Where something differs, naming the way of working and the first pixel.
 pub fn golden(name: &str, width: u32, height: u32, scene: impl Fn(&mut dyn Canvas)) {
-    let format = PixelFormat::Rgb565;
-    let mut canvas = ReferenceCanvas::new(Reference::new(width, height, format, true));
+    let (format, aux) = (PixelFormat::Rgb565, Some(PixelFormat::Aux16));
+    let mut canvas = ReferenceCanvas::new(Reference::new(width, height, format, aux));
     scene(&mut canvas);
     let expected = canvas.reference;
     check_picture(name, "reference", &picture(&expected));
     for config in golden_cells() {
         let cell = cell_name(&config);
-        let canvas = DeviceCanvas::new(config, (width, height), format, true);
+        let canvas = DeviceCanvas::new(config, (width, height), format, aux);
         let mut canvas = canvas.expect("a device of any configuration can be made");
         scene(&mut canvas);
         let actual = canvas.result();

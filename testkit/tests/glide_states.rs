@@ -51,7 +51,8 @@ impl Pair {
         let config = GlideConfig { device, ..GlideConfig::default() };
         let mut context = Context::new(config).expect("the default board is valid");
         context.execute(&Call::GrGlideInit {});
-        let reference = Reference::new(WIDTH, HEIGHT, PixelFormat::Rgb565, true);
+        let reference =
+            Reference::new(WIDTH, HEIGHT, PixelFormat::Rgb565, Some(PixelFormat::Aux16));
         Pair { context, reference, current: BTreeMap::new(), hits: Hits::new() }
     }
 
@@ -75,7 +76,8 @@ impl Pair {
         });
         assert_eq!(opened, 1);
         self.call(&Call::GrSstResetPerfStats {});
-        self.reference = Reference::new(WIDTH, HEIGHT, PixelFormat::Rgb565, true);
+        self.reference =
+            Reference::new(WIDTH, HEIGHT, PixelFormat::Rgb565, Some(PixelFormat::Aux16));
     }
 
     /// The state in the engine's terms.
@@ -101,7 +103,13 @@ impl Pair {
         }
         let expected = self.reference.aux.as_deref().expect("there is an aux buffer");
         for (i, (a, b)) in aux.iter().zip(expected).enumerate() {
-            assert_eq!(a, b, "FILLRATE_SEED={seed}: aux at {:?}, {:?}", place(i), self.current);
+            assert_eq!(
+                u32::from(*a),
+                *b,
+                "FILLRATE_SEED={seed}: aux at {:?}, {:?}",
+                place(i),
+                self.current
+            );
         }
         let counters = self.context.counters();
         assert_eq!(counters, self.reference.counters, "FILLRATE_SEED={seed}: {:?}", self.current);
@@ -457,8 +465,8 @@ impl Write<'_> {
             }
             let aux = &mut reference.aux.as_mut().expect("there is an aux buffer")[at];
             match (self.mode == 0xf, alpha_planes, alpha, depth) {
-                (true, _, _, Some(depth)) | (false, false, _, Some(depth)) => *aux = depth as u16,
-                (false, true, Some(alpha), _) => *aux = alpha as u16,
+                (true, _, _, Some(depth)) | (false, false, _, Some(depth)) => *aux = depth & 0xffff,
+                (false, true, Some(alpha), _) => *aux = alpha & 0xffff,
                 _ => {}
             }
         }

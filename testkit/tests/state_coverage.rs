@@ -4,8 +4,9 @@
 use std::collections::BTreeMap;
 
 use fillrate_engine::state::{
-    Addend, AlphaLocal, AuxWrite, BlendFactor, ColorLocal, CombineUnit, Compare, DepthSource,
-    Dither, DrawState, Factor, Filter, FogAmount, Origin, Other, TextureFactor, TextureUnit,
+    Addend, AlphaEquation, AlphaLocal, AuxWrite, Axis, BlendFactor, Channels, ColorLocal,
+    CombineUnit, Compare, DecalBase, DepthSource, Dither, DrawState, Factor, Filter, FogAmount,
+    LogicOp, Origin, Other, PatternBits, TextureFactor, TextureUnit, ZOverflow,
 };
 use fillrate_testkit::random::{Command, case};
 
@@ -42,6 +43,27 @@ fn note_texture_unit(seen: &mut Seen, index: usize, unit: &TextureUnit) {
     note(seen, &name("perspective"), &unit.perspective);
     note(seen, &name("clamp w"), &unit.clamp_negative_w);
     note(seen, &name("detail scale"), &unit.detail_scale);
+    note(seen, &name("mixes levels"), &unit.mix_levels);
+    note(seen, &name("drops keyed"), &unit.drop_keyed);
+}
+
+/// What no board of the SST-1's kind has.
+fn note_extras(seen: &mut Seen, state: &DrawState) {
+    note(seen, "decal", &state.shade.decal);
+    note(seen, "overbright", &state.shade.overbright);
+    note(seen, "specular", &state.shade.specular);
+    note(seen, "plane mask", &(state.plane_mask != u32::MAX));
+    note(seen, "channels", &(state.channels != Channels::ALL));
+    if state.blend.is_none() {
+        note(seen, "logic", &state.logic_op.map(LogicOp::table));
+    }
+    if let Some(pattern) = state.pattern {
+        note(seen, "background", &pattern.background.is_some());
+        note(seen, "area", &matches!(pattern.bits, PatternBits::Area(_)));
+        if let PatternBits::Line { axis, backwards, .. } = pattern.bits {
+            note(seen, "line", &(axis, backwards));
+        }
+    }
 }
 
 fn note_state(seen: &mut Seen, state: &DrawState) {
@@ -49,6 +71,7 @@ fn note_state(seen: &mut Seen, state: &DrawState) {
     note(seen, "clip", &state.clip.is_some());
     note(seen, "stipple", &state.stipple.is_some());
     note(seen, "depth source", &state.depth.source);
+    note(seen, "z overflow", &state.depth.z_overflow);
     note(seen, "depth test", &state.depth.test);
     note(seen, "depth bias", &state.depth.bias.is_some());
     note(seen, "depth constant", &state.depth.compare_constant.is_some());
@@ -71,8 +94,12 @@ fn note_state(seen: &mut Seen, state: &DrawState) {
         note(seen, "blend alpha", &(blend.source_alpha, blend.destination_alpha));
         note(seen, "alpha plane", &blend.alpha_plane);
         note(seen, "subtract dither", &blend.subtract_dither);
+        note(seen, "alpha equation", &blend.alpha);
+        note(seen, "constant destination", &blend.constant_destination.is_some());
     }
     note(seen, "dither", &state.dither);
+    note(seen, "dither offset", &(state.dither_offset != [0; 2]));
+    note_extras(seen, state);
     note(seen, "color write", &state.color_write);
     let units = state.units.iter().flatten();
     note(seen, "units", &units.clone().count());
@@ -140,7 +167,9 @@ fn wanted() -> Vec<String> {
     let tests: Vec<Option<Compare>> =
         Compare::ALL.map(Some).into_iter().filter(|&c| c != Some(Compare::ALL[0])).collect();
     all.all("origin", &[Origin::UpperLeft, Origin::LowerLeft]);
-    all.all("depth source", &[DepthSource::Z, DepthSource::FloatW]);
+    let sources = [DepthSource::Z, DepthSource::FloatW, DepthSource::DeepZ, DepthSource::DeepW];
+    all.all("depth source", &sources);
+    all.all("z overflow", &[ZOverflow::Wrap, ZOverflow::Clamp, ZOverflow::Reject]);
     all.all("depth test", &tests);
     all.all("depth test", &[None::<Compare>]);
     all.all("alpha test", &tests);
@@ -153,12 +182,18 @@ fn wanted() -> Vec<String> {
     all.all("alpha local", &[AlphaLocal::Iterated, AlphaLocal::Constant, AlphaLocal::Depth]);
     all.unit("color", &factors);
     all.unit("alpha", &factors);
-    let amounts =
-        [FogAmount::Table, FogAmount::IteratedAlpha, FogAmount::IteratedZ, FogAmount::Constant];
+    let amounts = [
+        FogAmount::Table,
+        FogAmount::IteratedAlpha,
+        FogAmount::IteratedZ,
+        FogAmount::Constant,
+        FogAmount::Iterated,
+        FogAmount::ByW,
+    ];
     all.all("fog", &amounts.map(Some));
     all.pairs("fog drops", &BOTH, &BOTH);
     all.all("source", &common);
-    all.all("source", &[B::AlphaSaturate]);
+    all.all("source", &[B::AlphaSaturate, B::OneMinusAlphaSaturate]);
     all.all("destination", &common);
     all.all("destination", &[B::PrefogColor]);
     all.pairs("blend alpha", &BOTH, &BOTH);
@@ -170,10 +205,24 @@ fn wanted() -> Vec<String> {
         "depth constant",
         "chroma key",
         "alpha plane",
+        "constant destination",
+        "dither offset",
+        "overbright",
+        "specular",
+        "plane mask",
+        "channels",
+        "background",
+        "area",
         "subtract dither",
         "color write",
     ];
     switches.iter().for_each(|name| all.all(name, &BOTH));
+    let equations = [AlphaEquation::Switches, AlphaEquation::Factors, AlphaEquation::Union];
+    all.all("alpha equation", &equations);
+    all.all("decal", &[None, Some(DecalBase::Iterated), Some(DecalBase::Base)]);
+    all.all("logic", &[None::<u8>]);
+    all.all("logic", &core::array::from_fn::<_, 16, _>(|table| Some(table as u8)));
+    all.all("line", &[(Axis::X, false), (Axis::X, true), (Axis::Y, false), (Axis::Y, true)]);
     all.all("units", &[0, 1, 2, 3]);
     for index in 0..3 {
         let name = |what: &str| format!("unit {index} {what}");
@@ -183,7 +232,8 @@ fn wanted() -> Vec<String> {
         all.pairs(&name("filters"), &filters, &filters);
         all.pairs(&name("clamps"), &BOTH, &BOTH);
         all.all(&name("levels"), &[None, Some(false), Some(true)]);
-        let switches = ["trilinear", "lod dither", "perspective", "clamp w"];
+        let switches =
+            ["mixes levels", "drops keyed", "trilinear", "lod dither", "perspective", "clamp w"];
         switches.iter().for_each(|what| all.all(&name(what), &BOTH));
         all.all(&name("detail scale"), &[0, 1, 2, 3, 4, 5, 6, 7]);
     }

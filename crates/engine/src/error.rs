@@ -46,9 +46,6 @@ pub enum EngineError {
     /// A texture has no level, too many, or a side that is no power of two.
     #[error("texture shape is not allowed: {0}")]
     TextureShape(&'static str),
-    /// A draw state asks for something that is not there yet.
-    #[error("{0} is not supported")]
-    Unsupported(&'static str),
     /// The worker threads could not be started.
     #[error("cannot start worker threads: {0}")]
     Threads(String),

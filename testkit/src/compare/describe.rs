@@ -10,7 +10,7 @@ use crate::random::{Case, Command};
 pub fn case(case: &Case) -> String {
     let Case { width, height, format, aux, contents, commands } = case;
     let mut out =
-        format!("{width}x{height} {format:?}, aux {aux}, contents {contents:?}, commands:\n");
+        format!("{width}x{height} {format:?}, aux {aux:?}, contents {contents:?}, commands:\n");
     for command in commands {
         match command {
             Command::State { state, textures } => {
@@ -38,6 +38,7 @@ fn draw_state(state: &DrawState) -> String {
         };
     }
     fields!(origin clip stipple depth aux_write units chroma_key color_combine alpha_combine);
-    fields!(color0 color1 alpha_test fog fog_table blend dither color_write);
+    fields!(color0 color1 shade alpha_test fog fog_table blend dither dither_offset);
+    fields!(pattern logic_op channels plane_mask color_write);
     out
 }

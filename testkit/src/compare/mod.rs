@@ -20,7 +20,7 @@ pub enum Mismatch {
     /// A colour element; screen coordinates.
     Color { x: u32, y: u32, expected: u32, actual: u32 },
     /// An aux element.
-    Aux { x: u32, y: u32, expected: u16, actual: u16 },
+    Aux { x: u32, y: u32, expected: u32, actual: u32 },
     /// The counters, where all elements agree.
     Counters { expected: Counters, actual: Counters },
 }
@@ -123,7 +123,7 @@ impl Comparison {
         ];
         let round = |(threads, tile): (usize, TileSize)| {
             let canvas = |config| {
-                DeviceCanvas::new(config, (1, 1), fillrate_engine::PixelFormat::Rgb565, false)
+                DeviceCanvas::new(config, (1, 1), fillrate_engine::PixelFormat::Rgb565, None)
             };
             cells(&[threads], &[tile]).into_iter().map(canvas).collect::<Result<Vec<_>, _>>()
         };

@@ -81,8 +81,8 @@ fn drop_surroundings(case: &mut Case, fails: &dyn Fn(&Case) -> bool) -> bool {
     if case.contents.is_some() {
         progress |= adopt(case, Case { contents: None, ..case.clone() }, fails);
     }
-    if case.aux {
-        progress |= adopt(case, Case { aux: false, ..case.clone() }, fails);
+    if case.aux.is_some() {
+        progress |= adopt(case, Case { aux: None, ..case.clone() }, fails);
     }
     progress
 }
@@ -90,7 +90,7 @@ fn drop_surroundings(case: &mut Case, fails: &dyn Fn(&Case) -> bool) -> bool {
 /// A change of a state that makes it simpler.
 type Simplification = fn(&mut DrawState, &mut Textures);
 
-const SIMPLIFICATIONS: [Simplification; 20] = [
+const SIMPLIFICATIONS: [Simplification; 26] = [
     |state, _| state.origin = DrawState::default().origin,
     |state, _| state.clip = None,
     |state, _| state.stipple = None,
@@ -111,6 +111,12 @@ const SIMPLIFICATIONS: [Simplification; 20] = [
     |state, _| state.blend = None,
     |state, _| state.dither = DrawState::default().dither,
     |state, _| simplify_texture_output(state),
+    |state, _| state.pattern = None,
+    |state, _| state.shade = DrawState::default().shade,
+    |state, _| state.dither_offset = [0; 2],
+    |state, _| state.logic_op = None,
+    |state, _| state.channels = DrawState::default().channels,
+    |state, _| state.plane_mask = u32::MAX,
 ];
 
 /// Shows the texture chain's output alone, unless something simpler is shown.
@@ -125,7 +131,7 @@ fn simplify_texture_output(state: &mut DrawState) {
 /// A change of a texture unit that makes it simpler.
 type UnitSimplification = fn(&mut TextureUnit);
 
-const UNIT_SIMPLIFICATIONS: [UnitSimplification; 12] = [
+const UNIT_SIMPLIFICATIONS: [UnitSimplification; 14] = [
     |unit| unit.perspective = false,
     |unit| unit.clamp_negative_w = false,
     |unit| unit.minify = TextureUnit::default().minify,
@@ -135,6 +141,8 @@ const UNIT_SIMPLIFICATIONS: [UnitSimplification; 12] = [
     |unit| unit.lod_dither = false,
     |unit| unit.odd_levels = None,
     |unit| unit.trilinear = false,
+    |unit| unit.mix_levels = false,
+    |unit| unit.drop_keyed = false,
     |unit| (unit.detail_max, unit.detail_bias, unit.detail_scale) = (0, 0, 0),
     |unit| unit.combine.color = texel_alone(),
     |unit| unit.combine.alpha = texel_alone(),

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use fillrate_engine::state::{Dither, DrawState, Rect};
-use fillrate_engine::{ClearValues, Cull, PixelFormat, PixelRun, Registers, Vertex};
+use fillrate_engine::state::{DepthSource, Dither, DrawState, Rect};
+use fillrate_engine::{ClearValues, Cull, PixelFormat, PixelRun, Registers, Vertex, VertexExtra};
 
-use super::{Rng, draw_state, registers, textures, vertices};
+use super::{Rng, draw_state, extras, registers, textures, vertices};
 use crate::canvas::Canvas;
 use crate::reference::{Reference, Textures};
 
@@ -17,6 +17,8 @@ pub enum Command {
     State { state: Box<DrawState>, textures: Textures },
     /// [`Canvas::triangle`].
     Triangle { vertices: Box<[Vertex; 3]>, cull: Cull },
+    /// [`Canvas::extended`].
+    Extended { vertices: Box<[Vertex; 3]>, extras: Box<[VertexExtra; 3]>, cull: Cull },
     /// [`Canvas::launch`].
     Launch { registers: Box<Registers> },
     /// [`Canvas::pixels`].
@@ -31,6 +33,9 @@ impl Command {
         match self {
             Command::State { state, textures } => canvas.set_state(state, textures),
             Command::Triangle { vertices, cull } => canvas.triangle(vertices, *cull),
+            Command::Extended { vertices, extras, cull } => {
+                canvas.extended(vertices, extras, *cull);
+            }
             Command::Launch { registers } => canvas.launch(registers),
             Command::Pixels { x, y, colors, depths } => {
                 canvas.pixels(&PixelRun { x: *x, y: *y, colors, depths });
@@ -49,8 +54,8 @@ pub struct Case {
     pub height: u32,
     /// Format of the colour surface.
     pub format: PixelFormat,
-    /// Whether there is an aux surface.
-    pub aux: bool,
+    /// Format of the aux surface, where there is one.
+    pub aux: Option<PixelFormat>,
     /// Seed of the surfaces' first contents; zeros without.
     pub contents: Option<u64>,
     /// In order.
@@ -66,7 +71,8 @@ impl Case {
         let mask = self.format.element_mask();
         out.color.fill_with(|| rng.word() & mask);
         if let Some(aux) = &mut out.aux {
-            aux.fill_with(|| rng.word() as u16);
+            let mask = self.aux.map_or(0, PixelFormat::element_mask);
+            aux.fill_with(|| rng.word() & mask);
         }
         out
     }
@@ -95,12 +101,20 @@ pub fn case(seed: u64) -> Case {
         PixelFormat::Alpha8,
     ];
     let format = rng.pick(&formats);
-    let aux = !rng.one_in(8);
+    let aux = match rng.below(8) {
+        0 => None,
+        1 | 2 => Some(PixelFormat::Aux32),
+        _ => Some(PixelFormat::Aux16),
+    };
     let contents = rng.maybe(2, Rng::bits);
     let states = 1 + rng.below(3);
     let mut commands = Vec::new();
     for _ in 0..states {
-        let state = draw_state(rng, width, height);
+        let mut state = draw_state(rng, width, height);
+        if aux == Some(PixelFormat::Aux32) && rng.coin() {
+            state.depth.source = rng.pick(&[DepthSource::DeepZ, DepthSource::DeepW]);
+        }
+
         let textures = textures(rng, &state);
         commands.push(Command::State { state: Box::new(state), textures });
         let count = if rng.one_in(400) { MANY } else { 1 + rng.below(4) };
@@ -122,6 +136,11 @@ fn command(rng: &mut Rng, width: u32, height: u32) -> Command {
     match rng.below(12) {
         0 => Command::Clear { rect: rect(rng, width, height), values: clear_values(rng) },
         1 => pixels(rng, width, height),
+        4..=6 => Command::Extended {
+            vertices: Box::new(vertices(rng, width, height)),
+            extras: Box::new(extras(rng)),
+            cull: rng.pick(&[Cull::Disabled, Cull::Disabled, Cull::Negative, Cull::Positive]),
+        },
         2 | 3 => Command::Launch { registers: Box::new(registers(rng, width, height)) },
         _ => Command::Triangle {
             vertices: Box::new(vertices(rng, width, height)),
@@ -143,7 +162,7 @@ fn rect(rng: &mut Rng, width: u32, height: u32) -> Rect {
 fn clear_values(rng: &mut Rng) -> ClearValues {
     let dithers = [Dither::Off, Dither::Ordered2x2, Dither::Ordered4x4];
     let color = if rng.one_in(4) { None } else { Some((rng.word(), rng.pick(&dithers))) };
-    let aux = if rng.one_in(4) { None } else { Some(rng.word() & 0xffff) };
+    let aux = if rng.one_in(4) { None } else { Some(rng.word()) };
     ClearValues { color, aux }
 }
 

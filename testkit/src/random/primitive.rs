@@ -1,9 +1,9 @@
 //! Random triangles, as vertices and as registers.
 
-use fillrate_engine::{Cull, Param, Registers, TmuVertex, Vertex, WideParam};
+use fillrate_engine::{Cull, Param, Registers, TmuVertex, Vertex, VertexExtra, WideParam};
 
 use super::Rng;
-use crate::reference::{SetUp, set_up};
+use crate::reference::{SetUp, set_up_extended};
 
 /// A triangle for a surface of `width` x `height`, of any kind: ordinary,
 /// sliver, huge, off-screen, degenerate, sub-pixel, biased, along pixel
@@ -148,6 +148,19 @@ impl Style {
     }
 }
 
+/// What the vertices of a triangle have besides.
+pub fn extras(rng: &mut Rng) -> [VertexExtra; 3] {
+    let style = Style::random(rng);
+    let depth = rng.pick(&[1.0, 65536.0, 16_777_216.0, 4e9, 1e19]);
+    let color = |rng: &mut Rng| style.color(rng);
+    [(); 3].map(|()| VertexExtra {
+        specular: [(); 3].map(|()| color(rng)),
+        fog: color(rng),
+        base: [(); 3].map(|()| color(rng)),
+        deep_z: depth * f64::from(if style.depths == 0 { 0.5 } else { rng.float(-0.1, 1.1) }),
+    })
+}
+
 /// Puts a wild number into some field.
 fn spoil(rng: &mut Rng, vertices: &mut [Vertex; 3]) {
     let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, 1e-45, -0.0, -f32::MAX];
@@ -172,7 +185,8 @@ fn spoil(rng: &mut Rng, vertices: &mut [Vertex; 3]) {
 
 /// Registers of a triangle: those of a random one, often changed, or noise.
 pub fn registers(rng: &mut Rng, width: u32, height: u32) -> Registers {
-    let drawn = (0..4).find_map(|_| match set_up(&vertices(rng, width, height), Cull::Disabled) {
+    let mut made = || set_up_extended(&vertices(rng, width, height), &extras(rng), Cull::Disabled);
+    let drawn = (0..4).find_map(|_| match made() {
         SetUp::Drawn(registers) => Some(*registers),
         SetUp::Empty | SetUp::Culled => None,
     });
@@ -191,12 +205,13 @@ pub fn registers(rng: &mut Rng, width: u32, height: u32) -> Registers {
 fn noise(rng: &mut Rng, out: &mut Registers) {
     let shift = rng.below(32);
     let narrow = |rng: &mut Rng| (rng.word() as i32) >> shift;
-    for param in out.color.iter_mut().chain([&mut out.z]) {
+    let second = out.specular.iter_mut().chain(&mut out.base);
+    for param in out.color.iter_mut().chain([&mut out.z]).chain(second) {
         *param = Param { start: narrow(rng), dx: narrow(rng), dy: narrow(rng) };
     }
     let shift = rng.below(64);
     let wide = |rng: &mut Rng| (rng.bits() as i64) >> shift;
-    for param in out.tmu.as_flattened_mut().iter_mut().chain([&mut out.w]) {
+    for param in out.tmu.as_flattened_mut().iter_mut().chain([&mut out.w, &mut out.deep_z]) {
         *param = WideParam { start: wide(rng), dx: wide(rng), dy: wide(rng) };
     }
 }

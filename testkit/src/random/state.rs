@@ -1,10 +1,11 @@
 //! Random draw states: every value of every field.
 
 use fillrate_engine::state::{
-    Addend, AlphaCombine, AlphaLocal, AlphaTest, AuxWrite, Blend, BlendFactor, ColorCombine,
-    ColorLocal, CombineUnit, Compare, DepthSource, DepthState, Dither, DrawState, Factor, Filter,
-    Fog, FogAmount, FogTable, LodRange, Origin, Other, Rect, Stipple, TextureCombine,
-    TextureFactor, TextureUnit,
+    Addend, AlphaCombine, AlphaEquation, AlphaLocal, AlphaTest, AuxWrite, Axis, Blend, BlendFactor,
+    Channels, ColorCombine, ColorLocal, CombineUnit, Compare, DecalBase, DepthSource, DepthState,
+    Dither, DrawState, Factor, Filter, Fog, FogAmount, FogTable, LodRange, LogicOp, Origin, Other,
+    Pattern, PatternBits, Rect, Shade, Stipple, TextureCombine, TextureFactor, TextureUnit,
+    ZOverflow,
 };
 
 use super::Rng;
@@ -35,8 +36,48 @@ pub fn draw_state(rng: &mut Rng, width: u32, height: u32) -> DrawState {
         blend: rng.maybe(2, blend),
         dither: rng.pick(&[Dither::Off, Dither::Ordered2x2, Dither::Ordered4x4]),
         color_write: !rng.one_in(10),
-        ..DrawState::default()
+        pattern: rng.maybe(6, pattern),
+        shade: shade(rng),
+        dither_offset: rng.pick(&[[0, 0], [0, 0], [1, 2], [3, 255]]),
+        logic_op: rng.maybe(5, |rng| LogicOp::new(rng.word() as u8)),
+        channels: channels(rng),
+        plane_mask: if rng.one_in(8) { rng.word() } else { u32::MAX },
     }
+}
+
+fn pattern(rng: &mut Rng) -> Pattern {
+    let bits = match rng.coin() {
+        true => PatternBits::Area([(); 32].map(|()| rng.word() | rng.word())),
+        false => PatternBits::Line {
+            bits: rng.word() | rng.word(),
+            length: if rng.one_in(8) { rng.word() as u8 } else { 1 + rng.below(32) as u8 },
+            factor: rng.pick(&[0, 1, 1, 2, 3, 300]),
+            axis: rng.pick(&[Axis::X, Axis::Y]),
+            origin: if rng.one_in(8) { rng.word() as i32 } else { rng.range(-50, 50) },
+            backwards: rng.coin(),
+        },
+    };
+    Pattern { bits, background: rng.maybe(2, constant) }
+}
+
+/// Nothing mostly: what follows then reads the combine units' output.
+fn shade(rng: &mut Rng) -> Shade {
+    if rng.coin() {
+        return Shade::default();
+    }
+    Shade {
+        decal: rng.maybe(2, |rng| rng.pick(&[DecalBase::Iterated, DecalBase::Base])),
+        overbright: rng.one_in(3),
+        specular: rng.coin(),
+    }
+}
+
+fn channels(rng: &mut Rng) -> Channels {
+    if !rng.one_in(5) {
+        return Channels::ALL;
+    }
+    let [red, green, blue, alpha] = [(); 4].map(|()| rng.coin());
+    Channels { red, green, blue, alpha }
 }
 
 /// Windows inside, around, empty, and beyond the surface.
@@ -59,14 +100,23 @@ fn compare(rng: &mut Rng) -> Compare {
 
 fn depth(rng: &mut Rng) -> DepthState {
     DepthState {
-        source: rng.pick(&[DepthSource::Z, DepthSource::FloatW]),
+        source: match rng.below(12) {
+            0 => rng.pick(&[DepthSource::DeepZ, DepthSource::DeepW]),
+            1..=6 => DepthSource::Z,
+            _ => DepthSource::FloatW,
+        },
         test: rng.maybe(2, compare),
         bias: rng.maybe(4, |rng| match rng.coin() {
             true => rng.word() as i16,
             false => rng.range(-600, 600) as i16,
         }),
         compare_constant: rng.maybe(8, |rng| rng.word() as u16),
-        ..DepthState::default()
+        z_overflow: rng.pick(&[
+            ZOverflow::Wrap,
+            ZOverflow::Wrap,
+            ZOverflow::Clamp,
+            ZOverflow::Reject,
+        ]),
     }
 }
 
@@ -130,6 +180,9 @@ fn fog(rng: &mut Rng) -> Fog {
             FogAmount::IteratedAlpha,
             FogAmount::IteratedZ,
             FogAmount::Constant,
+            FogAmount::Iterated,
+            FogAmount::Iterated,
+            FogAmount::ByW,
         ]),
         color: constant(rng),
         drop_fog_color: rng.one_in(4),
@@ -166,13 +219,23 @@ fn blend(rng: &mut Rng) -> Blend {
         F::OneMinusDestinationAlpha,
     ];
     Blend {
-        source: if rng.one_in(9) { F::AlphaSaturate } else { rng.pick(&common) },
+        source: match rng.below(12) {
+            0 => F::AlphaSaturate,
+            1 => F::OneMinusAlphaSaturate,
+            _ => rng.pick(&common),
+        },
         destination: if rng.one_in(9) { F::PrefogColor } else { rng.pick(&common) },
         source_alpha: rng.coin(),
         destination_alpha: rng.coin(),
         alpha_plane: rng.one_in(3),
         subtract_dither: rng.coin(),
-        ..Blend::default()
+        alpha: rng.pick(&[
+            AlphaEquation::Switches,
+            AlphaEquation::Switches,
+            AlphaEquation::Factors,
+            AlphaEquation::Union,
+        ]),
+        constant_destination: rng.maybe(5, constant),
     }
 }
 
@@ -214,7 +277,8 @@ fn unit(rng: &mut Rng) -> TextureUnit {
         detail_bias: rng.range(-32, 31) as i8,
         detail_scale: rng.below(8) as u8,
         combine,
-        ..TextureUnit::default()
+        mix_levels: rng.one_in(5),
+        drop_keyed: rng.one_in(5),
     }
 }
 

@@ -36,7 +36,11 @@ fn texture(rng: &mut Rng, clamp_s: bool) -> Texture {
             false => texel(rng),
         }));
     });
-    built.expect("sides, levels and texel counts are within limits")
+    let texture = built.expect("sides, levels and texel counts are within limits");
+    match rng.one_in(3) {
+        true => texture.with_key(|_, _, _| rng.one_in(4)),
+        false => texture,
+    }
 }
 
 /// A texel; often with channels at the ends of their range.

@@ -2,8 +2,10 @@
 //!
 //! Source: SST1, fbzMode register.
 
-use fillrate_engine::state::{DepthSource, DepthState};
+use fillrate_engine::state::{DepthSource, DepthState, ZOverflow};
+use fillrate_engine::{PixelFormat, Registers};
 
+use super::iterate::wide;
 use super::pixel::Iterated;
 
 /// The 16-bit pseudo-float of an iterated 1/w: four bits of exponent, twelve
@@ -28,19 +30,45 @@ pub fn biased(value: i32, bias: Option<i16>) -> i32 {
     (value + bias.map_or(0, i32::from)).clamp(0, 0xffff)
 }
 
-/// The depth of a fragment, with bias.
-pub fn of_fragment(state: &DepthState, values: Iterated) -> i32 {
-    let value = match state.source {
-        DepthSource::Z => values.z,
-        DepthSource::FloatW | DepthSource::DeepZ | DepthSource::DeepW => values.w,
+/// The depth of a deep source: the integer part of its iterator, or the upper
+/// half of the bits of 1/w as a float.
+pub fn deep(source: DepthSource, centred: &Registers, x: u32, y: u32) -> u32 {
+    let value = match source {
+        DepthSource::DeepZ => wide(centred, &centred.deep_z, x, y),
+        _ => wide(centred, &centred.w, x, y),
     };
-    biased(value, values.bias)
+    match (source, value) {
+        (_, ..=0) => 0,
+        (DepthSource::DeepZ, value) => (value >> 32) as u32,
+        (_, value) => ((value as f64).to_bits() >> 32) as u32,
+    }
+}
+
+/// Whether a plane can hold depths of a source.
+pub fn fits(source: DepthSource, aux: Option<PixelFormat>) -> bool {
+    !source.is_deep() || aux == Some(PixelFormat::Aux32)
+}
+
+/// The depth of a fragment, with bias where there is one.
+pub fn of_fragment(state: &DepthState, values: Iterated) -> u32 {
+    match state.source {
+        DepthSource::Z => biased(values.z, values.bias) as u32,
+        DepthSource::FloatW => biased(values.w, values.bias) as u32,
+        DepthSource::DeepZ | DepthSource::DeepW => values.deep,
+    }
+}
+
+/// Whether a fragment is dropped for its z.
+pub fn is_rejected(state: &DepthState, values: Iterated) -> bool {
+    let looks = state.z_overflow == ZOverflow::Reject && state.source == DepthSource::Z;
+    looks && values.is_outside
 }
 
 /// Whether a fragment of this depth passes the test against the aux plane.
-pub fn passes(state: &DepthState, depth: i32, aux: u16) -> bool {
-    let source = state.compare_constant.map_or(depth, i32::from);
-    state.test.is_none_or(|compare| compare.holds(source, i32::from(aux)))
+pub fn passes(state: &DepthState, depth: u32, aux: u32) -> bool {
+    let constant = state.compare_constant.filter(|_| !state.source.is_deep());
+    let source = constant.map_or(depth, u32::from);
+    state.test.is_none_or(|compare| compare.holds(source, aux))
 }
 
 #[cfg(test)]

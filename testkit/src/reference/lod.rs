@@ -42,6 +42,7 @@ impl Lod {
 pub fn at(unit: &TextureUnit, registers: &Registers, index: usize, w: i64, at: Position) -> Lod {
     let [s, t, _] = &registers.tmu[index];
     let mut lod = match u64::try_from(w) {
+        Ok(w) if w > 0 && unit.mix_levels => base(s, t) - linear_log(w),
         Ok(w) if w > 0 => base(s, t) - log2_8_u64(w),
         _ => BEYOND,
     };
@@ -53,6 +54,17 @@ pub fn at(unit: &TextureUnit, registers: &Registers, index: usize, w: i64, at: P
     let lower = i32::from(unit.lod.min);
     let value = lod.max(lower).min(upper);
     Lod { value, is_finest: value == lower.min(upper) }
+}
+
+/// 256 times a logarithm that is linear between powers of two, rounded down, of
+/// a number as the nearest float.
+fn linear_log(w: u64) -> i32 {
+    let mut value = w as f64;
+    let mut octaves = 0;
+    while value >= 2.0 {
+        (value, octaves) = (value / 2.0, octaves + 1);
+    }
+    octaves * 256 + ((value - 1.0) * 256.0).floor() as i32
 }
 
 /// 256 times log2 of the longer gradient vector of a triangle.

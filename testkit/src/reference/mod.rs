@@ -18,18 +18,19 @@ mod log2;
 mod output;
 mod pixel;
 mod setup;
+mod shade;
 mod texture;
 
 use std::sync::Arc;
 
 use fillrate_engine::state::{DrawState, MAX_TMUS, Origin, Rect};
 use fillrate_engine::{
-    ClearValues, Counters, Cull, PixelFormat, PixelRun, Registers, Texture, Vertex,
+    ClearValues, Counters, Cull, PixelFormat, PixelRun, Registers, Texture, Vertex, VertexExtra,
 };
 
 pub use dither::{pack, unpack};
 pub use log2::{log2_8_f64, log2_8_u64};
-pub use setup::{SetUp, set_up};
+pub use setup::{SetUp, set_up, set_up_extended};
 
 use pixel::{Iterated, Position, Shaded};
 
@@ -48,23 +49,31 @@ pub struct Reference {
     pub format: PixelFormat,
     /// Colour elements, row by row from the top of the screen.
     pub color: Vec<u32>,
-    /// Aux elements in the same order. Without them there is no depth test, no
-    /// aux write, and no alpha plane.
-    pub aux: Option<Vec<u16>>,
+    /// Format of the aux elements, where there are any. Without them there is no
+    /// depth test, no aux write, and no alpha plane.
+    pub aux_format: Option<PixelFormat>,
+    /// Aux elements in the same order.
+    pub aux: Option<Vec<u32>>,
     /// What happened so far.
     pub counters: Counters,
 }
 
 impl Reference {
     /// Surfaces of zeros.
-    pub fn new(width: u32, height: u32, format: PixelFormat, aux: bool) -> Reference {
+    pub fn new(
+        width: u32,
+        height: u32,
+        format: PixelFormat,
+        aux: Option<PixelFormat>,
+    ) -> Reference {
         let area = width as usize * height as usize;
         Reference {
             width,
             height,
             format,
             color: vec![0; area],
-            aux: aux.then(|| vec![0; area]),
+            aux_format: aux,
+            aux: aux.map(|_| vec![0; area]),
             counters: Counters::default(),
         }
     }
@@ -79,6 +88,22 @@ impl Reference {
     ) {
         self.counters.triangles_in += 1;
         if let SetUp::Drawn(registers) = set_up(vertices, cull) {
+            self.counters.triangles_drawn += 1;
+            self.raster(state, textures, &registers);
+        }
+    }
+
+    /// Sets a triangle up with what its vertices have besides, and draws it.
+    pub fn extended(
+        &mut self,
+        state: &DrawState,
+        textures: &Textures,
+        vertices: &[Vertex; 3],
+        extras: &[VertexExtra; 3],
+        cull: Cull,
+    ) {
+        self.counters.triangles_in += 1;
+        if let SetUp::Drawn(registers) = setup::set_up_extended(vertices, extras, cull) {
             self.counters.triangles_drawn += 1;
             self.raster(state, textures, &registers);
         }
@@ -102,8 +127,17 @@ impl Reference {
             let at = self.position(state, x as u32, run.y);
             let [r, g, b, alpha] = dither::channels(argb);
             let depth = i32::from(depth);
-            let values = Iterated { z: depth, w: depth, alpha, bias: None };
-            self.fragment(state, at, values, || Shaded { other: [r, g, b], out: [r, g, b, alpha] });
+            let values = Iterated {
+                z: depth,
+                w: depth,
+                deep: depth as u32,
+                is_outside: false,
+                alpha,
+                fog_part: None,
+                bias: None,
+            };
+            let shaded = Shaded { other: [r, g, b], out: [r, g, b, alpha] };
+            self.fragment(state, at, values, || Some(shaded));
         }
     }
 
@@ -116,7 +150,7 @@ impl Reference {
                     self.color[index] = pack(self.format, argb, dither, x, y);
                 }
                 if let (Some(value), Some(aux)) = (values.aux, &mut self.aux) {
-                    aux[index] = value as u16;
+                    aux[index] = value & self.aux_format.map_or(0, PixelFormat::element_mask);
                 }
                 self.counters.pixels_out += 1;
             }
@@ -133,14 +167,27 @@ impl Reference {
                 let at = self.position(state, x, y);
                 let colors = iterate::colors(&start, x, y);
                 let values = Iterated {
-                    z: iterate::z(&start, x, y),
+                    z: iterate::z(&start, state.depth.z_overflow, x, y),
+                    deep: depth::deep(state.depth.source, &start, x, y),
+                    is_outside: iterate::is_z_outside(&start, x, y),
                     w: depth::float_w(iterate::w(&start, x, y)),
                     alpha: colors[3],
+                    fog_part: Some(iterate::second(&start, x, y)[3]),
                     bias: state.depth.bias,
                 };
                 self.fragment(state, at, values, || {
-                    let texel = texture::chain(state, textures, &start, at);
-                    combine::pixel(state, colors, values.z, texel)
+                    let texel = texture::chain(state, textures, &start, at)?;
+                    let mut shaded = combine::pixel(state, colors, values.z, texel);
+                    let [r, g, b, _] = iterate::second(&start, x, y);
+                    let inputs = shade::ShadeInputs {
+                        iterated: colors,
+                        over: iterate::whole_colors(&start, x, y),
+                        texel,
+                        specular: [r, g, b],
+                        base: iterate::third(&start, x, y),
+                    };
+                    shaded.out = shade::apply(state, shaded.out, &inputs);
+                    Some(shaded)
                 });
             }
         }

@@ -3,10 +3,11 @@
 //! Source: SST1, alphaMode register and dither subtraction.
 
 use fillrate_engine::PixelFormat;
-use fillrate_engine::state::{Blend, BlendFactor, DrawState};
+use fillrate_engine::state::{AlphaEquation, Blend, BlendFactor, Channels, DrawState};
 
 use super::dither;
 use super::pixel::Position;
+use super::shade::rounded;
 
 /// What the surfaces hold where a fragment goes.
 #[derive(Clone, Copy, Debug)]
@@ -15,8 +16,8 @@ pub struct Destination {
     pub format: PixelFormat,
     /// Colour element.
     pub color: u32,
-    /// Aux element, where there is an aux plane.
-    pub aux: Option<u16>,
+    /// Aux element, where there is a 16-bit aux plane.
+    pub aux: Option<u32>,
 }
 
 impl Destination {
@@ -24,7 +25,7 @@ impl Destination {
     fn channels(&self, blend: &Blend, at: Position) -> [i32; 4] {
         let [r, g, b, own_alpha] = dither::unpack(self.format, self.color);
         let alpha = match self.aux {
-            Some(aux) if blend.alpha_plane => i32::from(aux & 0xff),
+            Some(aux) if blend.alpha_plane => (aux & 0xff) as i32,
             _ => own_alpha,
         };
         let whole =
@@ -76,7 +77,10 @@ pub fn blend(
     at: Position,
 ) -> [i32; 4] {
     let Some(blend) = &state.blend else { return source };
-    let destination = destination.channels(blend, at);
+    let destination = match blend.constant_destination {
+        Some(constant) => dither::channels(constant),
+        None => destination.channels(blend, at),
+    };
     let terms = |other_color: i32, channel: usize| Terms {
         source_alpha: source[3],
         destination_alpha: destination[3],
@@ -90,8 +94,54 @@ pub fn blend(
         let by_destination = factor(blend.destination, &terms(s, channel));
         out[channel] = ((s * by_source + d * by_destination) >> 8).clamp(0, 255);
     }
-    let kept = if blend.source_alpha { source[3] } else { 0 };
-    let added = if blend.destination_alpha { destination[3] } else { 0 };
-    out[3] = (kept + added).min(255);
+    let (s, d) = (source[3], destination[3]);
+    out[3] = match blend.alpha {
+        AlphaEquation::Switches => {
+            let kept = if blend.source_alpha { s } else { 0 };
+            let added = if blend.destination_alpha { d } else { 0 };
+            (kept + added).min(255)
+        }
+        AlphaEquation::Factors => {
+            let by_source = factor(blend.source, &terms(d, 3));
+            let by_destination = factor(blend.destination, &terms(s, 3));
+            ((s * by_source + d * by_destination) >> 8).min(255)
+        }
+        AlphaEquation::Union => 255 - rounded((255 - s) * (255 - d), 255),
+    };
     out
+}
+
+/// The element to store: a new one joined with the old one by the logic
+/// operation and the masks.
+pub fn merge(state: &DrawState, format: PixelFormat, new: u32, old: u32) -> u32 {
+    let channels = match state.channels {
+        Channels::ALL => u32::MAX,
+        channels => channel_bits(format, channels),
+    };
+    let mut out = 0;
+    for bit in 0..32 {
+        let (source, destination) = (new >> bit & 1, old >> bit & 1);
+        let result = match state.logic_op {
+            Some(op) if state.blend.is_none() => {
+                u32::from(op.table()) >> (2 * source + destination) & 1
+            }
+            _ => source,
+        };
+        let is_written = state.plane_mask & channels & format.element_mask() & 1 << bit != 0;
+        out |= if is_written { result } else { destination } << bit;
+    }
+    out
+}
+
+/// The bits of an element whose change changes one of some channels.
+fn channel_bits(format: PixelFormat, channels: Channels) -> u32 {
+    let wanted = [channels.red, channels.green, channels.blue, channels.alpha];
+    let zero = dither::unpack(format, 0);
+    (0..32)
+        .filter(|bit| {
+            let set = dither::unpack(format, 1 << bit);
+            (0..4).any(|channel| wanted[channel] && set[channel] != zero[channel])
+        })
+        .map(|bit| 1 << bit)
+        .sum()
 }

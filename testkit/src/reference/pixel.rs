@@ -3,9 +3,10 @@
 //! Source: SST1, pixel pipeline; LFB writes through the pipeline enter here as
 //! well.
 
+use fillrate_engine::PixelFormat;
 use fillrate_engine::state::{AuxWrite, DrawState};
 
-use super::{Reference, depth, dither, fog, output};
+use super::{Reference, depth, dither, fog, output, shade};
 
 /// Where a fragment is. It lies on the surface.
 #[derive(Clone, Copy, Debug)]
@@ -25,8 +26,15 @@ pub struct Iterated {
     pub z: i32,
     /// Pseudo-float w, 16 bits, without bias.
     pub w: i32,
+    /// Depth of a deep source.
+    pub deep: u32,
+    /// Whether z, before its rule, was no 16-bit number.
+    pub is_outside: bool,
     /// 8 bits.
     pub alpha: i32,
+    /// The part of the colour that iterated fog leaves; ready-made fragments
+    /// have none and stay as they are.
+    pub fog_part: Option<i32>,
     /// Added to depth and to the fog table's index.
     pub bias: Option<i16>,
 }
@@ -41,29 +49,42 @@ pub struct Shaded {
 }
 
 impl Reference {
-    /// Takes one fragment through all stages; `shade` textures and combines.
+    /// Takes one fragment through all stages; `shade` textures and combines, and
+    /// gives nothing where keyed texels drop the fragment.
     pub(super) fn fragment(
         &mut self,
         state: &DrawState,
         at: Position,
         values: Iterated,
-        shade: impl FnOnce() -> Shaded,
+        shade: impl FnOnce() -> Option<Shaded>,
     ) {
         self.counters.pixels_in += 1;
-        if outside_clip(state, at) || stippled_out(state, at) {
+        if outside_clip(state, at)
+            || stippled_out(state, at)
+            || shade::patterned_out(state, at.x, at.row)
+        {
             return;
         }
         let index = (at.row * self.width + at.x) as usize;
         let aux = self.aux.as_ref().map(|aux| aux[index]);
         let depth = depth::of_fragment(&state.depth, values);
-        if aux.is_some_and(|aux| !depth::passes(&state.depth, depth, aux)) {
+        let tested = aux.filter(|_| depth::fits(state.depth.source, self.aux_format));
+        if depth::is_rejected(&state.depth, values)
+            || tested.is_some_and(|aux| !depth::passes(&state.depth, depth, aux))
+        {
             self.counters.depth_fail += 1;
             return;
         }
-        let shaded = shade();
+        let Some(mut shaded) = shade() else {
+            self.counters.chroma_fail += 1;
+            return;
+        };
         if state.chroma_key.is_some_and(|key| is_key(shaded.other, key)) {
             self.counters.chroma_fail += 1;
             return;
+        }
+        if let Some(color) = shade::gap_color(state, at.x, at.row) {
+            shaded.out = color;
         }
         let alpha = shaded.out[3];
         if state.alpha_test.is_some_and(|t| !t.compare.holds(alpha, t.reference.into())) {
@@ -72,22 +93,31 @@ impl Reference {
         }
         self.counters.pixels_out += 1;
         let fogged = fog::apply(state, shaded.out, values);
+        let aux = aux.filter(|_| self.aux_format == Some(PixelFormat::Aux16));
         let destination =
             output::Destination { format: self.format, color: self.color[index], aux };
         let blended = output::blend(state, fogged, shaded.out, &destination, at);
         self.write(state, index, at, blended, depth);
     }
 
-    fn write(&mut self, state: &DrawState, index: usize, at: Position, out: [i32; 4], depth: i32) {
+    fn write(&mut self, state: &DrawState, index: usize, at: Position, out: [i32; 4], depth: u32) {
         if state.color_write {
             let argb = dither::join(out);
-            self.color[index] = dither::pack(self.format, argb, state.dither, at.x, at.row);
+            let [right, down] = state.dither_offset.map(u32::from);
+            let (x, row) = (at.x + right, at.row + down);
+            let new = dither::pack(self.format, argb, state.dither, x, row);
+            self.color[index] = output::merge(state, self.format, new, self.color[index]);
         }
         let Some(aux) = &mut self.aux else { return };
         match state.aux_write {
             AuxWrite::Nothing => {}
-            AuxWrite::Depth => aux[index] = depth as u16,
-            AuxWrite::Alpha => aux[index] = out[3] as u16,
+            AuxWrite::Depth if depth::fits(state.depth.source, self.aux_format) => {
+                aux[index] = depth;
+            }
+            AuxWrite::Alpha if self.aux_format == Some(PixelFormat::Aux16) => {
+                aux[index] = out[3] as u32;
+            }
+            AuxWrite::Depth | AuxWrite::Alpha => {}
         }
     }
 }

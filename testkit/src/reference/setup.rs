@@ -2,7 +2,7 @@
 //!
 //! Source: G246, triangle set-up; SST1, register formats.
 
-use fillrate_engine::{Cull, Param, Registers, TmuVertex, Vertex, WideParam};
+use fillrate_engine::{Cull, Param, Registers, TmuVertex, Vertex, VertexExtra, WideParam};
 
 /// What becomes of a triangle.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +18,14 @@ pub enum SetUp {
 /// Sorts, culls and computes the registers of a triangle; all texture units
 /// receive coordinates.
 pub fn set_up(vertices: &[Vertex; 3], cull: Cull) -> SetUp {
-    let (sorted, odd) = sort(vertices);
+    let plain = VertexExtra { fog: 255.0, ..VertexExtra::default() };
+    set_up_extended(vertices, &[plain; 3], cull)
+}
+
+/// [`set_up`], with what the vertices have besides.
+pub fn set_up_extended(vertices: &[Vertex; 3], extras: &[VertexExtra; 3], cull: Cull) -> SetUp {
+    let (order, odd) = sort(vertices);
+    let (sorted, extras) = (order.map(|i| vertices[i]), order.map(|i| extras[i]));
     let [a, b, c] = &sorted;
     let (dx_ab, dy_ab) = (a.x - b.x, a.y - b.y);
     let (dx_bc, dy_bc) = (b.x - c.x, b.y - c.y);
@@ -40,7 +47,9 @@ pub fn set_up(vertices: &[Vertex; 3], cull: Cull) -> SetUp {
         dx_bc: dx_bc * inverse,
         dy_bc: dy_bc * inverse,
     };
-    SetUp::Drawn(Box::new(registers(&sorted, negative, &step)))
+    let mut registers = registers(&sorted, negative, &step);
+    add_extras(&mut registers, &sorted, &extras, &step);
+    SetUp::Drawn(Box::new(registers))
 }
 
 /// Coordinate differences divided by the area.
@@ -92,11 +101,38 @@ fn registers(sorted: &[Vertex; 3], negative: bool, step: &Steps) -> Registers {
     out
 }
 
-/// The vertices by rising y, and whether that took an odd permutation. Which
+/// The parameters of extras that are sorted like the vertices.
+fn add_extras(
+    out: &mut Registers,
+    vertices: &[Vertex; 3],
+    extras: &[VertexExtra; 3],
+    step: &Steps,
+) {
+    let of = |field: &dyn Fn(&VertexExtra) -> f32| step.narrow(extras.each_ref().map(field));
+    out.specular =
+        [of(&|e| e.specular[0]), of(&|e| e.specular[1]), of(&|e| e.specular[2]), of(&|e| e.fog)];
+    out.base = [of(&|e| e.base[0]), of(&|e| e.base[1]), of(&|e| e.base[2])];
+    // The plane through three points, by Cramer's rule.
+    let [a, b, c] = [0, 1, 2].map(|i| {
+        let Vertex { x, y, .. } = vertices[i];
+        [f64::from(x), f64::from(y), extras[i].deep_z]
+    });
+    let minus = |p: [f64; 3], q: [f64; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
+    let ([x1, y1, z1], [x2, y2, z2]) = (minus(a, b), minus(b, c));
+    let area = x1 * y2 - x2 * y1;
+    let wide = |value: f64| (value * 4_294_967_296.0) as i64;
+    out.deep_z = WideParam {
+        start: wide(a[2]),
+        dx: wide((z1 * y2 - z2 * y1) / area),
+        dy: wide((z2 * x1 - z1 * x2) / area),
+    };
+}
+
+/// The vertices' numbers by rising y, and whether that took an odd permutation. Which
 /// of equal ones comes first is as the original's comparisons decide.
-fn sort(vertices: &[Vertex; 3]) -> ([Vertex; 3], bool) {
-    let [a, b, c] = *vertices;
-    let [ay, by, cy] = [a.y, b.y, c.y].map(rank);
+fn sort(vertices: &[Vertex; 3]) -> ([usize; 3], bool) {
+    let [ay, by, cy] = vertices.map(|vertex| rank(vertex.y));
+    let [a, b, c] = [0, 1, 2];
     if ay < by {
         if by > cy {
             if ay < cy { ([a, c, b], true) } else { ([c, a, b], false) }

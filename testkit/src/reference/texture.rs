@@ -11,41 +11,52 @@ use super::dither::channels;
 use super::iterate::wide;
 use super::lod::{self, Lod};
 use super::pixel::Position;
+use super::shade::rounded;
 
 /// 1/w of a unit without perspective: 1.
 const UNIT_W: i64 = 1 << 32;
 
 /// The chain's output; 0 where no unit is in use. Units run from the last one
-/// down to unit 0, whose output it is.
+/// down to unit 0, whose output it is. `None` where a unit shows keyed texels and
+/// drops them.
 pub fn chain(
     state: &DrawState,
     textures: &Textures,
     centred: &Registers,
     at: Position,
-) -> [i32; 4] {
+) -> Option<[i32; 4]> {
+    let mut is_keyed = false;
     let mut other = [0; 4];
     for index in (0..state.units.len()).rev() {
         if let Some(unit) = &state.units[index] {
             let texture = textures[index].as_deref();
-            other = unit_output(unit, texture, other, centred, index, at);
+            other = unit_output(unit, texture, other, (centred, index, at), &mut is_keyed);
         }
     }
-    other
+    (!is_keyed).then_some(other)
 }
 
 fn unit_output(
     unit: &TextureUnit,
     texture: Option<&Texture>,
     other: [i32; 4],
-    centred: &Registers,
-    index: usize,
-    at: Position,
+    (centred, index, at): (&Registers, usize, Position),
+    is_keyed: &mut bool,
 ) -> [i32; 4] {
     let [s, t, w] = centred.tmu[index].map(|param| wide(centred, &param, at.x, at.y));
     let w = if unit.perspective { w } else { UNIT_W };
     let lod = lod::at(unit, centred, index, w, at);
     let (s, t) = (coordinate(unit, s, w), coordinate(unit, t, w));
-    let local = texture.map_or([0; 4], |texture| sample(unit, texture, lod, s, t));
+    let at = |coarser: i32| Sample { unit, lod, coarser, s, t };
+    let sampled = |sample: &Sample<'_>| texture.map_or([0; 4], |texture| sample.color(texture));
+    let mut local = sampled(&at(0));
+    if unit.mix_levels {
+        let (coarse, part) = (sampled(&at(1)), lod.fraction());
+        for (fine, coarse) in local.iter_mut().zip(coarse) {
+            *fine = rounded(*fine * (256 - part) + coarse * part, 256);
+        }
+    }
+    *is_keyed |= unit.drop_keyed && texture.is_some_and(|texture| at(0).is_keyed(texture));
     combine(unit, local, other, lod)
 }
 
@@ -64,20 +75,46 @@ fn floor_div(a: i128, b: i128) -> i128 {
     quotient - i128::from(is_below)
 }
 
-/// The texel, filtered, at coordinates with 8 fraction bits.
-fn sample(unit: &TextureUnit, texture: &Texture, lod: Lod, s: i32, t: i32) -> [i32; 4] {
-    let filter = if lod.is_finest { unit.magnify } else { unit.minify };
-    let mut number = lod.level();
-    if unit.odd_levels.is_some_and(|odd| (number & 1 != 0) != odd) {
-        number += 1;
+/// Where a texture is sampled: a level of detail, how many levels coarser than
+/// it, and coordinates with 8 fraction bits.
+struct Sample<'a> {
+    unit: &'a TextureUnit,
+    lod: Lod,
+    coarser: i32,
+    s: i32,
+    t: i32,
+}
+
+impl Sample<'_> {
+    /// The texel, filtered.
+    fn color(&self, texture: &Texture) -> [i32; 4] {
+        self.filtered(&|level, column, row| channels(texture.texel(level, column, row)), texture)
     }
-    let view = View { unit, texture, number: number as usize };
-    let shift = texture.level(view.number).shift;
-    match filter {
-        Filter::Point => view.texel(s >> (8 + shift), t >> (8 + shift)),
-        Filter::Bilinear => bilinear(&view, s >> shift, t >> shift),
+
+    /// Whether half of the weights or more belong to keyed texels.
+    fn is_keyed(&self, texture: &Texture) -> bool {
+        let mark = |level, column, row| [128 * i32::from(texture.is_keyed(level, column, row)); 4];
+        self.filtered(&mark, texture)[0] >= 64
+    }
+
+    fn filtered(&self, texel: &Texel<'_>, texture: &Texture) -> [i32; 4] {
+        let (unit, lod) = (self.unit, self.lod);
+        let filter = if lod.is_finest { unit.magnify } else { unit.minify };
+        let mut number = lod.level() + self.coarser;
+        if unit.odd_levels.is_some_and(|odd| (number & 1 != 0) != odd) {
+            number += 1;
+        }
+        let view = View { unit, texture, texel, number: number as usize };
+        let shift = texture.level(view.number).shift;
+        match filter {
+            Filter::Point => view.texel(self.s >> (8 + shift), self.t >> (8 + shift)),
+            Filter::Bilinear => bilinear(&view, self.s >> shift, self.t >> shift),
+        }
     }
 }
+
+/// Red, green, blue and alpha of a level's texel.
+type Texel<'a> = dyn Fn(usize, u32, u32) -> [i32; 4] + 'a;
 
 /// Four texels weighted by four fraction bits: one exact sum, one truncation.
 fn bilinear(view: &View<'_>, s: i32, t: i32) -> [i32; 4] {
@@ -103,6 +140,7 @@ fn bilinear(view: &View<'_>, s: i32, t: i32) -> [i32; 4] {
 struct View<'a> {
     unit: &'a TextureUnit,
     texture: &'a Texture,
+    texel: &'a Texel<'a>,
     number: usize,
 }
 
@@ -111,7 +149,7 @@ impl View<'_> {
         let level = self.texture.level(self.number);
         let column = place(column, level.s_mask, self.unit.clamp_s);
         let row = place(row, level.t_mask, self.unit.clamp_t);
-        channels(self.texture.texel(self.number, column, row))
+        (self.texel)(self.number, column, row)
     }
 }
 

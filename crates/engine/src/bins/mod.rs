@@ -8,7 +8,8 @@ use core::ops::Range;
 
 use crate::device::arena::{Arena, Command, Run};
 use crate::setup::{
-    Edge, Fate, Launch, Shape, Triangle, Triangles, prepare, prepare_palette, set_up,
+    Edge, Extra, ExtraNeeds, Fate, Launch, Registers, Screen, Shape, Triangle, Triangles, prepare,
+    prepare_extra, prepare_palette, set_up,
 };
 use crate::state::Rect;
 use crate::stats::Counters;
@@ -84,14 +85,14 @@ impl Chunk {
                     let units = arena.states[state].pipeline.unit_count;
                     if set_up([a, b, c], cull, units, &mut launch) == Fate::Drawn {
                         self.counters.triangles_drawn += 1;
-                        self.launch(arena, &launch, state, grid);
+                        self.launch(arena, &launch, None, state, grid);
                     }
                 }
                 Command::Launch { registers, state } => {
                     self.counters.triangles_in += 1;
                     self.counters.triangles_drawn += 1;
-                    let launch = Launch::from(&arena.registers[registers as usize]);
-                    self.launch(arena, &launch, state, grid);
+                    let registers = &arena.registers[registers as usize];
+                    self.launch(arena, &Launch::from(registers), Some(registers), state, grid);
                 }
                 Command::Palette { primitive, state } => {
                     self.counters.triangles_in += 1;
@@ -112,7 +113,14 @@ impl Chunk {
     }
 
     #[inline(always)]
-    fn launch(&mut self, arena: &Arena, launch: &Launch, state: u32, grid: &Grid) {
+    fn launch(
+        &mut self,
+        arena: &Arena,
+        launch: &Launch,
+        registers: Option<&Registers>,
+        state: u32,
+        grid: &Grid,
+    ) {
         let batch = &arena.states[state];
         let units = batch.pipeline.unit_count;
         let index = self.triangles.list.len() as u32;
@@ -122,9 +130,26 @@ impl Chunk {
         } else {
             prepare(&launch.scaled(screen.scale), screen, state, units, &mut self.triangles)
         };
-        let Some(triangle) = triangle else { return };
+        if triangle.is_none() {
+            return;
+        }
+        let needs = batch.pipeline.needs.extra;
+        if needs.any() {
+            let extra = registers.map_or_else(Extra::none, Extra::from);
+            self.extend(launch, &extra, screen, needs);
+        }
+        let Some(triangle) = self.triangles.list.last() else { return };
         let entry = Entry::Triangle(index);
         add_edges(&mut self.pairs, &triangle.bounds, triangle_edges(triangle), entry, grid);
+    }
+
+    /// Adds what a state reads besides to the triangle prepared last.
+    fn extend(&mut self, launch: &Launch, extra: &Extra, screen: &Screen, needs: ExtraNeeds) {
+        if screen.scale == 1 {
+            return prepare_extra(extra, launch, screen, needs, &mut self.triangles);
+        }
+        let (launch, extra) = (launch.scaled(screen.scale), extra.scaled(screen.scale));
+        prepare_extra(&extra, &launch, screen, needs, &mut self.triangles);
     }
 
     fn shape(&mut self, arena: &Arena, primitive: u32, state: u32, grid: &Grid) {

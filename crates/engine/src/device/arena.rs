@@ -70,13 +70,13 @@ impl BatchState {
         state: &DrawState,
         textures: &[Option<Arc<Texture>>; MAX_TMUS],
         target: &Surface,
-        has_aux: bool,
+        aux: Option<PixelFormat>,
         scale: u32,
     ) -> BatchState {
         let (width, height) = (target.width(), target.height());
         let screen = Screen { width, height, origin: state.origin, scale };
         BatchState {
-            pipeline: Pipeline::new(state, textures, target.format(), has_aux),
+            pipeline: Pipeline::new(state, textures, target.format(), aux),
             pixel_pipeline: None,
             format: target.format(),
             screen,
@@ -106,7 +106,7 @@ fn screen_clip(state: &DrawState, screen: &Screen) -> Rect {
 struct TargetShape {
     size: (u32, u32),
     format: PixelFormat,
-    has_aux: bool,
+    aux: Option<PixelFormat>,
     scale: u32,
 }
 
@@ -129,11 +129,11 @@ impl States {
         state: &DrawState,
         textures: &[Option<Arc<Texture>>; MAX_TMUS],
         target: &Surface,
-        has_aux: bool,
+        aux: Option<PixelFormat>,
         scale: u32,
     ) -> u32 {
         let size = (target.width(), target.height());
-        let shape = TargetShape { size, format: target.format(), has_aux, scale };
+        let shape = TargetShape { size, format: target.format(), aux, scale };
         if self.shape != Some(shape) {
             self.clear();
             self.shape = Some(shape);
@@ -147,7 +147,7 @@ impl States {
             return index;
         }
         let index = self.list.len() as u32;
-        self.list.push(BatchState::new(state, textures, target, has_aux, scale));
+        self.list.push(BatchState::new(state, textures, target, aux, scale));
         self.index.insert(key, index);
         index
     }

@@ -218,15 +218,6 @@ impl Device {
         }
     }
 
-    /// Whether the engine has what a state asks for.
-    ///
-    /// # Errors
-    /// [`EngineError::Unsupported`] names the first thing that it does not have
-    /// yet; the state draws as if that were off.
-    pub fn check_state(&self, state: &DrawState) -> Result<(), EngineError> {
-        state.missing().map_or(Ok(()), |what| Err(EngineError::Unsupported(what)))
-    }
-
     /// Draws triangles of what follows at `scale` times their coordinates, 1 to
     /// 4, and takes clip windows the same way: a surface that is so much larger
     /// shows the same picture, finer. Clears, ready-made fragments and access to
@@ -280,7 +271,7 @@ impl Device {
     /// those without a depth, are dropped.
     pub fn draw_pixels(&mut self, run: &PixelRun<'_>) {
         let Some(state) = self.use_state() else { return };
-        let has_aux = self.aux.is_some();
+        let aux = self.aux_format();
         let batch = self.arena.states.get_mut(state);
         let (width, height) = (batch.screen.width, batch.screen.height);
         if run.x >= width || run.y >= height {
@@ -291,7 +282,7 @@ impl Device {
             return;
         }
         batch.pixel_pipeline.get_or_insert_with(|| {
-            Box::new(Pipeline::for_pixels(&self.current.0, batch.format, has_aux))
+            Box::new(Pipeline::for_pixels(&self.current.0, batch.format, aux))
         });
         let y = match self.current.0.origin {
             Origin::UpperLeft => run.y,
@@ -343,7 +334,8 @@ impl Device {
         }
         let (state, textures) = &self.current;
         let target = self.surfaces.get(self.color?.0 as usize)?.as_ref()?;
-        let index = self.arena.states.find(state, textures, target, self.aux.is_some(), self.scale);
+        let aux = self.aux_format();
+        let index = self.arena.states.find(state, textures, target, aux, self.scale);
         self.state = Some(index);
         Some(index)
     }
@@ -352,6 +344,11 @@ impl Device {
         if self.arena.is_full() {
             self.flush(FlushReason::Full);
         }
+    }
+
+    /// What the aux surface's elements are, where there is one.
+    fn aux_format(&self) -> Option<PixelFormat> {
+        self.aux.and_then(|id| self.peek(id).ok()).map(Surface::format)
     }
 
     /// A surface as it was at the last flush.

@@ -49,7 +49,7 @@ fn float_w_lanes<S: Simd>(s: S, w: S::F) -> S::I {
 }
 
 /// Depth values of one stamp after another, without bias.
-trait DepthLanes<S: Simd> {
+pub(super) trait DepthLanes<S: Simd> {
     /// Goes to a stamp, which is the block's slot `slot`.
     fn enter(&mut self, s: S, pass: &Pass<'_>, at: &Slot, slot: usize);
     /// The values of fragments `j..` of that stamp.
@@ -57,7 +57,7 @@ trait DepthLanes<S: Simd> {
 }
 
 /// Iterated z.
-struct IteratedZ;
+pub(super) struct IteratedZ;
 
 impl<S: Simd> DepthLanes<S> for IteratedZ {
     #[inline(always)]
@@ -116,9 +116,9 @@ fn exact_w_of_stamp(w: &Plane64, x: i32, y: i32, out: &mut [i32; STAMP]) {
 }
 
 /// Depth values that lie in the block already.
-struct Kept<'a> {
-    values: &'a Lanes,
-    first: usize,
+pub(super) struct Kept<'a> {
+    pub values: &'a Lanes,
+    pub first: usize,
 }
 
 impl<S: Simd> DepthLanes<S> for Kept<'_> {
@@ -135,7 +135,7 @@ impl<S: Simd> DepthLanes<S> for Kept<'_> {
 
 /// Keeps the depth values of the whole block.
 #[inline(always)]
-fn keep<S: Simd, D: DepthLanes<S>>(
+pub(super) fn keep<S: Simd, D: DepthLanes<S>>(
     s: S,
     source: &mut D,
     slots: &[Slot],
@@ -177,6 +177,7 @@ pub(crate) fn depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mu
             match source {
                 DepthSource::Z => test_depth(s, fragments, &mut IteratedZ, pass, tile),
                 DepthSource::FloatW => test_depth(s, fragments, &mut steps.w, pass, tile),
+                // Those are another stage's.
                 DepthSource::DeepZ | DepthSource::DeepW => {}
             }
         }
@@ -243,11 +244,11 @@ pub(super) fn early_test(pipeline: &Pipeline) -> u8 {
 /// What happens to a depth value, the same for a whole block.
 #[derive(Clone, Copy)]
 pub(crate) struct DepthTest {
-    test: Option<Compare>,
+    pub test: Option<Compare>,
     bias: Option<i32>,
-    constant: Option<i32>,
+    pub constant: Option<i32>,
     /// Written as soon as it passes.
-    writes: bool,
+    pub writes: bool,
 }
 
 impl DepthTest {
@@ -396,7 +397,7 @@ pub(crate) fn depth_write<S: Simd>(s: S, block: &mut Block, tile: &mut Tile<'_>)
         for j in (0..STAMP).step_by(S::LANES) {
             let k = slot * STAMP + j;
             let live = s.mask((block.live >> k) as u32);
-            s.store16(s.load(&block.depth.0[k..]), &mut tile.aux[at + j..], live);
+            tile.store_aux(s, s.load(&block.depth.0[k..]), at + j, live);
         }
     }
 }

@@ -3,14 +3,23 @@
 use fillrate_simd::{IntLanes, Simd};
 
 use super::Pass;
-use super::block::{Block, Colors};
-use super::lanes::{clamp, join, scale, spread_alpha};
-use crate::state::{Fog, FogAmount, FogTable};
+use super::block::{Block, Colors, STAMP, Slot};
+use super::lanes::{clamp, join, lerp_255, scale, spread_alpha};
+use super::shade::extra_colors;
+use crate::setup::SPECULAR;
+use crate::state::{FOG_SAMPLES, Fog, FogAmount, FogTable};
 
 /// A fog table as 64 entries that one indexed load reads: the amount low, the
 /// slope high.
 pub(crate) fn fog_entries(table: &FogTable) -> [u64; 64] {
     core::array::from_fn(|i| u64::from(table.value[i]) | u64::from(table.delta[i]) << 32)
+}
+
+/// A table of [`FogTable::by_w`] as entries that one indexed load reads: the
+/// sample low, the next one high.
+pub(crate) fn fog_samples(table: &FogTable) -> Vec<u64> {
+    let sample = |i: usize| u64::from(table.sample(i));
+    (0..FOG_SAMPLES).map(|i| sample(i) | sample(i + 1) << 32).collect()
 }
 
 /// The fog amount, 0..=255, in both halves.
@@ -64,5 +73,51 @@ pub(crate) fn fog<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
         };
         s.store(new_rb, &mut block.color.rb.0[k..]);
         s.store(join(s, new_ga, ga), &mut block.color.ga.0[k..]);
+    }
+}
+
+/// The part of the colour that fog leaves, 0..=255, in both halves, of
+/// fragments `j..` of a slot, which are `k..` of the block.
+#[inline(always)]
+fn part_left<S: Simd>(
+    s: S,
+    block: &Block,
+    pass: &Pass<'_>,
+    fog: &Fog,
+    at: &Slot,
+    [j, k]: [usize; 2],
+) -> S::I {
+    if fog.amount == FogAmount::Iterated {
+        return spread_alpha(s, extra_colors(s, pass, at, SPECULAR, j)[1]);
+    }
+    let w = s.load(&block.w.0[k..]);
+    let (from, to) = s.load_pairs(&pass.pipeline.fog_samples, w.shr(9));
+    let along = w.shr(1) & s.splat(0xff);
+    let sum = from.mul(s.splat(256) - along) + to.mul(along) + s.splat(128);
+    let part = sum.shr(8);
+    part | part.shl(16)
+}
+
+/// Mixes `block.color` with the fog colour by the part that stays; alpha stays.
+/// The colour before goes to `block.prefog`.
+#[inline(always)]
+pub(crate) fn fog_by_part<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
+    let Some(fog) = pass.pipeline.state.fog else { return };
+    let fog_color = Colors::splat(if fog.drop_fog_color { 0 } else { fog.color & 0xff_ffff });
+    let (fog_rb, fog_ga) = (s.splat(fog_color.rb.0[0]), s.splat(fog_color.ga.0[0]));
+    let keep = s.splat(if fog.drop_fragment_color { 0 } else { -1 });
+    for slot in 0..block.count {
+        let at = block.slots[slot];
+        for j in (0..STAMP).step_by(S::LANES) {
+            let k = slot * STAMP + j;
+            let part = part_left(s, block, pass, &fog, &at, [j, k]);
+            let rb = s.load(&block.color.rb.0[k..]);
+            let ga = s.load(&block.color.ga.0[k..]);
+            s.store(rb, &mut block.prefog.rb.0[k..]);
+            s.store(ga, &mut block.prefog.ga.0[k..]);
+            s.store(lerp_255(s, rb & keep, fog_rb, part), &mut block.color.rb.0[k..]);
+            let g = lerp_255(s, ga & keep, fog_ga, part);
+            s.store(join(s, g, ga), &mut block.color.ga.0[k..]);
+        }
     }
 }

@@ -94,11 +94,33 @@ pub(crate) fn clamp<S: Simd>(s: S, x: S::I) -> S::I {
     x.max16(s.splat(0)).min16(s.splat(0x00ff_00ff))
 }
 
+/// Channels' products of two values of 0..=255, or sums of such products that
+/// stay within 255 * 255, divided by 255 to the nearest.
+#[inline(always)]
+pub(crate) fn div_255<S: Simd>(s: S, product: S::I) -> S::I {
+    let v = product.add16(s.splat(0x0080_0080));
+    v.add16(v.shr16(8)).shr16(8)
+}
+
+/// `(a * part + b * (255 - part)) / 255`, to the nearest.
+#[inline(always)]
+pub(crate) fn lerp_255<S: Simd>(s: S, a: S::I, b: S::I, part: S::I) -> S::I {
+    let rest = s.splat(0x00ff_00ff).sub16(part);
+    div_255(s, a.mul16(part).add16(b.mul16(rest)))
+}
+
+/// `(a * (256 - part) + b * part) / 256`, to the nearest, for parts of 0..=255.
+#[inline(always)]
+pub(crate) fn mix_256<S: Simd>(s: S, a: S::I, b: S::I, part: S::I) -> S::I {
+    let rest = s.splat(0x0100_0100).sub16(part);
+    a.mul16(rest).add16(b.mul16(part)).add16(s.splat(0x0080_0080)).shr16(8)
+}
+
 /// The dither value of each fragment of a stamp, in both halves. Stamps start
 /// at multiples of four, so one pattern serves the whole screen.
-pub(crate) fn dither_pattern(dither: Dither) -> [i32; STAMP] {
+pub(crate) fn dither_pattern(dither: Dither, [right, down]: [u8; 2]) -> [i32; STAMP] {
     core::array::from_fn(|i| {
-        let (x, y) = (i % 4, i / 4);
+        let (x, y) = ((i + usize::from(right)) % 4, (i / 4 + usize::from(down)) % 4);
         let value = match dither {
             Dither::Off => 0,
             Dither::Ordered2x2 => DITHER_2X2[y % 2][x % 2],

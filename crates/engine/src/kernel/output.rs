@@ -4,10 +4,10 @@
 
 use fillrate_simd::{IntLanes, Simd};
 
-use super::block::{Block, STAMP, Strip};
-use super::lanes::{join, spread_alpha};
+use super::block::{Block, Colors, STAMP, Strip};
+use super::lanes::{div_255, join, spread_alpha};
 use super::{ColorTile, Pass, Tile};
-use crate::state::{AuxWrite, Blend, BlendFactor, Dither};
+use crate::state::{AlphaEquation, AuxWrite, Blend, BlendFactor, Dither, LogicOp};
 use crate::target::PixelFormat;
 
 /// Widens elements to (red, blue) and (green, alpha) by bit replication;
@@ -256,6 +256,58 @@ pub(crate) fn blend_stage<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, til
     }
 }
 
+/// Blends the fragments into `block.color` where the destination is constant
+/// or alpha has an equation of its own.
+#[inline(always)]
+pub(crate) fn blend_fully<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &Tile<'_>) {
+    let Some(config) = &pass.pipeline.state.blend else { return };
+    let fogged = pass.pipeline.state.fog.is_some();
+    let constant = Colors::splat(config.constant_destination.unwrap_or(0));
+    for slot in 0..block.count {
+        let at = block.slots[slot].at as usize;
+        for j in (0..STAMP).step_by(S::LANES) {
+            let k = slot * STAMP + j;
+            let source = [s.load(&block.color.rb.0[k..]), s.load(&block.color.ga.0[k..])];
+            let prefog = if fogged {
+                [s.load(&block.prefog.rb.0[k..]), s.load(&block.prefog.ga.0[k..])]
+            } else {
+                source
+            };
+            let destination = if config.constant_destination.is_some() {
+                [s.splat(constant.rb.0[0]), s.splat(constant.ga.0[0])]
+            } else {
+                let (element, format) = tile.color.elements(s, at + j);
+                let aux = tile.aux.get(at + j..).unwrap_or(&[]);
+                destination(s, pass, config, format, element, aux, j)
+            };
+            let operands = Operands { source, destination, prefog };
+            let [rb, g] = blend(s, config, &operands);
+            let alpha = blended_alpha(s, config, &operands, g);
+            s.store(rb, &mut block.color.rb.0[k..]);
+            s.store(join(s, g, alpha), &mut block.color.ga.0[k..]);
+        }
+    }
+}
+
+/// The alpha of a blend, in the high halves; `switched` holds that of its
+/// switches.
+#[inline(always)]
+fn blended_alpha<S: Simd>(s: S, config: &Blend, o: &Operands<S>, switched: S::I) -> S::I {
+    let (source, destination) = (o.source[1], o.destination[1]);
+    match config.alpha {
+        AlphaEquation::Switches => switched,
+        AlphaEquation::Factors => {
+            let fs = factor(s, config.source, o, &o.destination)[1];
+            let fd = factor(s, config.destination, o, &o.source)[1];
+            weighted_sum::<S>(source, fs, destination, fd)
+        }
+        AlphaEquation::Union => {
+            let top = s.splat(0x00ff_00ff);
+            top.sub16(div_255(s, top.sub16(source).mul16(top.sub16(destination))))
+        }
+    }
+}
+
 /// Counts and writes the fragments left where all have one colour.
 #[inline(always)]
 pub(crate) fn write_flat<S: Simd>(s: S, block: &Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
@@ -290,15 +342,63 @@ fn copy_stamp<S: Simd>(s: S, stamp: &[u16; STAMP], to: &mut [u16], live: u16) {
     }
 }
 
+/// Counts the fragments left, and writes their alpha where the aux plane holds
+/// it.
+#[inline(always)]
+fn count<S: Simd>(s: S, block: &Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    tile.counters.pixels_out += u64::from(block.live.count_ones());
+    if pass.pipeline.state.aux_write == AuxWrite::Alpha && !tile.aux.is_empty() {
+        write_alpha(s, block, tile);
+    }
+}
+
+/// Counts and writes the fragments left where a logic operation joins them with
+/// what is there, or where some bits stay.
+#[inline(always)]
+pub(crate) fn write_bits<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    count(s, block, pass, tile);
+    let pipeline = pass.pipeline;
+    if !pipeline.state.color_write {
+        return;
+    }
+    let dithered = pipeline.state.dither != Dither::Off;
+    let mask = s.splat(pipeline.write_mask as i32);
+    for slot in 0..block.count {
+        let at = block.slots[slot].at as usize;
+        for j in (0..STAMP).step_by(S::LANES) {
+            let k = slot * STAMP + j;
+            let live = s.mask((block.live >> k) as u32);
+            let color = [s.load(&block.color.rb.0[k..]), s.load(&block.color.ga.0[k..])];
+            let (old, format) = tile.color.elements(s, at + j);
+            let dither = dithered.then(|| s.load(&pipeline.dither[j..]));
+            let new = pack(s, format, color, dither);
+            let new = pipeline.logic_op.map_or(new, |op| logic(s, op, new, old));
+            let merged = old ^ ((old ^ new) & mask);
+            match &mut tile.color {
+                ColorTile::Bits16(pixels, _) => s.store16(merged, &mut pixels[at + j..], live),
+                ColorTile::Bits32(pixels, _) => s.store_masked(merged, &mut pixels[at + j..], live),
+            }
+        }
+    }
+}
+
+/// A logic operation on elements: the bits of its table whose index the
+/// operands' bits are.
+#[inline(always)]
+fn logic<S: Simd>(s: S, op: LogicOp, source: S::I, destination: S::I) -> S::I {
+    let ones = s.splat(-1);
+    let entry = |index: u32| s.splat(-i32::from(op.table() >> index & 1));
+    let with_source = (destination & entry(3)) | ((destination ^ ones) & entry(2));
+    let without = (destination & entry(1)) | ((destination ^ ones) & entry(0));
+    (source & with_source) | ((source ^ ones) & without)
+}
+
 /// Counts and writes the fragments left: colour, and alpha where the aux
 /// plane holds it.
 #[inline(always)]
 pub(crate) fn write<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    count(s, block, pass, tile);
     let state = &pass.pipeline.state;
-    tile.counters.pixels_out += u64::from(block.live.count_ones());
-    if state.aux_write == AuxWrite::Alpha && !tile.aux.is_empty() {
-        write_alpha(s, block, tile);
-    }
     if !state.color_write {
         return;
     }

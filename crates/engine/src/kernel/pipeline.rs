@@ -7,16 +7,17 @@ use fillrate_simd::Scalar;
 use super::block::{Block, Colors, STAMP};
 use super::combine::{Arithmetic, Switches};
 use super::depth::{early, early_test};
-use super::fog::fog_entries;
+use super::fog::{fog_entries, fog_samples};
 use super::joined::{Joined, join_stages};
 use super::lanes::dither_pattern;
 use super::stages::{StageList, run, stage_list};
 use super::texture::UnitPlan;
 use super::{ColorTile, Pass, Tile};
-use crate::setup::Triangles;
+use crate::setup::{ExtraNeeds, Triangles};
 use crate::state::{
-    Addend, AlphaLocal, AuxWrite, ColorLocal, CombineUnit, Compare, Dither, DrawState, Factor,
-    FogAmount, MAX_TMUS, Other,
+    Addend, AlphaEquation, AlphaLocal, AuxWrite, Blend, Channels, ColorLocal, CombineUnit, Compare,
+    DecalBase, DepthSource, Dither, DrawState, Factor, Fog, FogAmount, LogicOp, MAX_TMUS, Other,
+    Shade, ZOverflow,
 };
 use crate::stats::Counters;
 use crate::target::PixelFormat;
@@ -26,23 +27,44 @@ use crate::texture::{Texture, TextureDesc};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Stage {
     Stipple,
+    Pattern,
     Depth,
     /// z and w that are read after the test, which ran before; see
     /// [`Pipeline::early`].
     KeepDepth,
     /// The depth test on depths that are already there.
     ReadyDepth,
+    /// Depth with another rule for z, a deep source or a 32-bit plane.
+    WideDepth,
+    /// The same on depths that are already there.
+    ReadyWideDepth,
     Address(usize),
     Fetch(usize),
+    TexelKey(usize),
+    /// Addresses of the next coarser level.
+    AddressNext(usize),
+    /// Texels of the two levels mixed.
+    MixNext(usize),
     TextureCombine(usize),
     IterateColors,
     ChromaKey,
     Combine,
+    Decal,
+    Overbright,
+    Specular,
+    /// The colour of a pattern's gaps.
+    Background,
     AlphaTest,
     Fog,
+    /// Fog by the part of the colour that stays.
+    FogByPart,
     Blend,
+    /// Blending with a constant destination or an equation for alpha.
+    BlendFully,
     DepthWrite,
     Write,
+    /// Writing with a logic operation or masks.
+    WriteBits,
     /// The end of the list in one loop.
     Joined(Joined),
     /// One colour for all fragments; see [`Pipeline::flat`].
@@ -62,6 +84,8 @@ pub(crate) struct Needs {
     pub late_depth_write: bool,
     /// The depth value is compared or written.
     pub depth: bool,
+    /// Parameters besides.
+    pub extra: ExtraNeeds,
 }
 
 /// A compiled draw state.
@@ -89,6 +113,14 @@ pub(crate) struct Pipeline {
     pub color1: Colors,
     pub zero: Colors,
     pub fog_entries: [u64; 64],
+    /// The table by w; empty where there is none.
+    pub fog_samples: Vec<u64>,
+    /// The colour of a pattern's gaps.
+    pub background: Colors,
+    /// The bits of elements that are written.
+    pub write_mask: u32,
+    /// The operation that joins elements with what is there.
+    pub logic_op: Option<LogicOp>,
     pub dither: [i32; STAMP],
     /// The stamp that the pipeline draws, where every fragment gets the same
     /// colour, whatever its place and what was there before.
@@ -98,35 +130,26 @@ pub(crate) struct Pipeline {
 }
 
 impl Pipeline {
-    /// Compiles a state for a target of `format`, with or without an aux plane.
+    /// Compiles a state for a target of `format`, with or without an aux plane
+    /// of a format.
     pub fn new(
         state: &DrawState,
         textures: &[Option<Arc<Texture>>; MAX_TMUS],
         format: PixelFormat,
-        has_aux: bool,
+        aux: Option<PixelFormat>,
     ) -> Pipeline {
         let mut state = *state;
-        if !has_aux {
-            state.depth.test = None;
-            state.aux_write = AuxWrite::Nothing;
-            if let Some(blend) = &mut state.blend {
-                blend.alpha_plane = false;
-            }
-        }
+        drop_aux(&mut state, aux);
+        simplify(&mut state, format);
         // Depths are in the range that a bias limits them to.
         state.depth.bias = state.depth.bias.filter(|&bias| bias != 0);
-        if state.depth.source.is_deep() {
-            (state.depth.test, state.aux_write) = (None, AuxWrite::Nothing);
-        }
-        state.fog =
-            state.fog.filter(|fog| !matches!(fog.amount, FogAmount::Iterated | FogAmount::ByW));
         let reads_alpha = reads_alpha(&state, format);
         let needs = needs(&state, reads_alpha);
         let units = units(&state, textures);
         let passes_iterated = passes_iterated(&state, reads_alpha);
         let (color, alpha) = (&state.color_combine.unit, &state.alpha_combine.unit);
         let mut pipeline = Pipeline {
-            stages: stages(&state, &needs, &units, passes_iterated),
+            stages: stages(&state, &needs, &units, passes_iterated, (format, aux)),
             passes_iterated,
             arithmetic: Arithmetic::of(color, alpha, reads_alpha),
             reads_alpha,
@@ -140,9 +163,16 @@ impl Pipeline {
             color1: Colors::splat(state.color1),
             zero: Colors::splat(0),
             fog_entries: fog_entries(&state.fog_table),
-            dither: dither_pattern(state.dither),
+            fog_samples: match state.fog {
+                Some(Fog { amount: FogAmount::ByW, .. }) => fog_samples(&state.fog_table),
+                _ => Vec::new(),
+            },
+            background: background(&state),
+            write_mask: write_mask(&state, format),
+            logic_op: logic_op(&state),
+            dither: dither_pattern(state.dither, state.dither_offset),
             flat: None,
-            undither: dither_pattern(Dither::Ordered4x4).map(|d| 0x000f_000f - d),
+            undither: dither_pattern(Dither::Ordered4x4, [0; 2]).map(|d| 0x000f_000f - d),
             state,
         };
         join_stages(&mut pipeline, format);
@@ -162,7 +192,16 @@ impl Pipeline {
                 }
             }
         }
-        let reads = [Stage::Depth, Stage::ReadyDepth, Stage::DepthWrite, Stage::Blend];
+        let reads = [
+            Stage::Depth,
+            Stage::ReadyDepth,
+            Stage::WideDepth,
+            Stage::ReadyWideDepth,
+            Stage::DepthWrite,
+            Stage::Blend,
+            Stage::BlendFully,
+            Stage::WriteBits,
+        ];
         self.in_order = self.stages.iter().any(|stage| reads.contains(stage));
     }
 
@@ -174,20 +213,34 @@ impl Pipeline {
 
     /// Compiles the stages that ready-made fragments pass: no texturing, no
     /// combining, and a depth without bias.
-    pub fn for_pixels(state: &DrawState, format: PixelFormat, has_aux: bool) -> Pipeline {
+    pub fn for_pixels(
+        state: &DrawState,
+        format: PixelFormat,
+        aux: Option<PixelFormat>,
+    ) -> Pipeline {
         let mut state = *state;
         state.depth.bias = None;
         state.units = [None; MAX_TMUS];
         state.color_combine.other = Other::Iterated;
-        let mut pipeline = Pipeline::new(&state, &[const { None }; MAX_TMUS], format, has_aux);
-        pipeline.stages =
-            stages(&pipeline.state, &pipeline.needs, &pipeline.units, pipeline.passes_iterated);
+        // Their colours are ready, and there is no triangle to iterate.
+        state.shade = Shade::default();
+        state.fog = state.fog.filter(|fog| fog.amount != FogAmount::Iterated);
+        let mut pipeline = Pipeline::new(&state, &[const { None }; MAX_TMUS], format, aux);
+        pipeline.stages = stages(
+            &pipeline.state,
+            &pipeline.needs,
+            &pipeline.units,
+            pipeline.passes_iterated,
+            (format, aux),
+        );
         (pipeline.early, pipeline.in_order) = (early::NONE, true);
         let made = [Stage::IterateColors, Stage::Combine];
         pipeline.stages.retain(|stage| !made.contains(stage));
         for stage in &mut pipeline.stages {
-            if *stage == Stage::Depth {
-                *stage = Stage::ReadyDepth;
+            match stage {
+                Stage::Depth => *stage = Stage::ReadyDepth,
+                Stage::WideDepth => *stage = Stage::ReadyWideDepth,
+                _ => {}
             }
         }
         pipeline
@@ -196,6 +249,11 @@ impl Pipeline {
     /// The texture chain's output: `chain`, or zeros where texturing is off.
     pub fn texture_output<'a>(&'a self, chain: &'a Colors) -> &'a Colors {
         if self.unit_count > 0 { chain } else { &self.zero }
+    }
+
+    /// Whether fragments are dropped by their place, before any test.
+    pub fn drops_by_place(&self) -> bool {
+        self.state.stipple.is_some() || self.state.pattern.is_some_and(|pattern| pattern.drops())
     }
 
     /// Whether anything is written to the aux plane.
@@ -207,6 +265,54 @@ impl Pipeline {
     pub fn writes_depth(&self) -> bool {
         self.state.aux_write == AuxWrite::Depth
     }
+}
+
+/// Drops what an aux plane, or none, does not do.
+fn drop_aux(state: &mut DrawState, aux: Option<PixelFormat>) {
+    let wide = aux == Some(PixelFormat::Aux32);
+    if aux.is_none() || state.depth.source.is_deep() && !wide {
+        state.depth.test = None;
+        if state.aux_write == AuxWrite::Depth {
+            state.aux_write = AuxWrite::Nothing;
+        }
+    }
+    if aux.is_none() || wide {
+        if state.aux_write == AuxWrite::Alpha {
+            state.aux_write = AuxWrite::Nothing;
+        }
+        if let Some(blend) = &mut state.blend {
+            blend.alpha_plane = false;
+        }
+    }
+}
+
+/// Drops what changes nothing on a target of a format.
+fn simplify(state: &mut DrawState, format: PixelFormat) {
+    if !format.has_alpha()
+        && state.aux_write != AuxWrite::Alpha
+        && let Some(blend) = &mut state.blend
+    {
+        blend.alpha = AlphaEquation::Switches;
+    }
+}
+
+/// The colour of a pattern's gaps.
+fn background(state: &DrawState) -> Colors {
+    Colors::splat(state.pattern.and_then(|pattern| pattern.background).unwrap_or(0))
+}
+
+/// The bits of elements that a state writes.
+fn write_mask(state: &DrawState, format: PixelFormat) -> u32 {
+    let channels = match state.channels {
+        Channels::ALL => format.element_mask(),
+        channels => format.channel_bits(channels),
+    };
+    channels & state.plane_mask
+}
+
+/// The logic operation of a state, unless it is none.
+fn logic_op(state: &DrawState) -> Option<LogicOp> {
+    state.logic_op.filter(|op| *op != LogicOp::SOURCE && state.blend.is_none())
 }
 
 /// Draws one stamp now, where combine and write need nothing of the fragments,
@@ -242,7 +348,7 @@ fn draw_stamp(pipeline: &Pipeline, first: usize, format: PixelFormat, to: &mut [
     let mut counters = Counters::default();
     let pass = Pass { pipeline, triangles: &triangles };
     let color = ColorTile::Bits16(to, format);
-    let mut tile = Tile { color, aux: &mut [], counters: &mut counters };
+    let mut tile = Tile { color, aux: &mut [], aux32: &mut [], counters: &mut counters };
     run(Scalar, &list, &mut block, &pass, &mut tile);
 }
 
@@ -293,15 +399,24 @@ fn reads_iterated(state: &DrawState, reads_alpha: bool) -> bool {
 fn needs(state: &DrawState, reads_alpha: bool) -> Needs {
     let fog = |amount: FogAmount| state.fog.is_some_and(|fog| fog.amount == amount);
     let compares = state.depth.test.is_some_and(|test| test != Compare::Always);
-    let depth = compares || state.aux_write == AuxWrite::Depth;
+    let z = &state.depth;
+    let rejects = z.z_overflow == ZOverflow::Reject && z.source == DepthSource::Z;
+    let depth = compares || state.aux_write == AuxWrite::Depth || rejects;
     Needs {
         keeps_z: fog(FogAmount::IteratedZ) || state.alpha_combine.local == AlphaLocal::Depth,
-        keeps_w: fog(FogAmount::Table),
+        keeps_w: fog(FogAmount::Table) || fog(FogAmount::ByW),
         colors: reads_iterated(state, reads_alpha),
         late_depth_write: state.chroma_key.is_some()
+            || drops_keyed(state)
             || state.alpha_test.is_some()
             || state.blend.is_some_and(|blend| blend.alpha_plane),
         depth,
+        extra: ExtraNeeds {
+            colors: state.shade.specular
+                || state.shade.decal == Some(DecalBase::Base)
+                || fog(FogAmount::Iterated),
+            deep_z: depth && z.source == DepthSource::DeepZ,
+        },
     }
 }
 
@@ -309,11 +424,17 @@ fn needs(state: &DrawState, reads_alpha: bool) -> Needs {
 fn reads_texture(state: &DrawState) -> bool {
     let (cc, ac) = (&state.color_combine, &state.alpha_combine);
     let texture_factor = |f: Factor| matches!(f, Factor::TextureAlpha | Factor::TextureColor);
-    cc.other == Other::Texture
+    state.shade.decal.is_some()
+        || cc.other == Other::Texture
         || ac.other == Other::Texture
         || cc.local == ColorLocal::ByTextureAlpha
         || texture_factor(cc.unit.factor)
         || texture_factor(ac.unit.factor)
+}
+
+/// Whether texels can drop fragments.
+fn drops_keyed(state: &DrawState) -> bool {
+    state.units.iter().flatten().any(|unit| unit.drop_keyed)
 }
 
 /// Whether anything after the combine units reads alpha.
@@ -346,6 +467,7 @@ fn stages(
     needs: &Needs,
     units: &[Option<Box<UnitPlan>>; MAX_TMUS],
     passes_iterated: bool,
+    (format, aux): (PixelFormat, Option<PixelFormat>),
 ) -> Vec<Stage> {
     let mut list = Vec::with_capacity(16);
     let mut add = |wanted: bool, stage: Stage| {
@@ -354,22 +476,45 @@ fn stages(
         }
     };
     add(state.stipple.is_some(), Stage::Stipple);
-    add(needs.depth || needs.keeps_z || needs.keeps_w, Stage::Depth);
-    if reads_texture(state) {
+    add(state.pattern.is_some_and(|pattern| pattern.drops()), Stage::Pattern);
+    let wide = state.depth.z_overflow != ZOverflow::Wrap
+        || state.depth.source.is_deep()
+        || aux == Some(PixelFormat::Aux32);
+    let depth = if wide { Stage::WideDepth } else { Stage::Depth };
+    add(needs.depth || needs.keeps_z || needs.keeps_w, depth);
+    if reads_texture(state) || drops_keyed(state) {
         for (index, plan) in units.iter().enumerate().rev() {
             let Some(plan) = plan else { continue };
             add(true, Stage::Address(index));
             add(true, Stage::Fetch(index));
+            add(plan.unit.drop_keyed, Stage::TexelKey(index));
+            add(plan.next.is_some(), Stage::AddressNext(index));
+            add(plan.next.is_some(), Stage::MixNext(index));
             add(!plan.texel_only, Stage::TextureCombine(index));
         }
     }
     add(needs.colors, Stage::IterateColors);
     add(state.chroma_key.is_some(), Stage::ChromaKey);
     add(!passes_iterated, Stage::Combine);
+    add(state.shade.decal.is_some(), Stage::Decal);
+    add(state.shade.overbright, Stage::Overbright);
+    add(state.shade.specular, Stage::Specular);
+    add(state.pattern.is_some_and(|pattern| !pattern.drops()), Stage::Background);
     add(state.alpha_test.is_some(), Stage::AlphaTest);
-    add(state.fog.is_some(), Stage::Fog);
-    add(state.blend.is_some(), Stage::Blend);
+    let by_part = |fog: Fog| matches!(fog.amount, FogAmount::Iterated | FogAmount::ByW);
+    add(
+        state.fog.is_some(),
+        if state.fog.is_some_and(by_part) { Stage::FogByPart } else { Stage::Fog },
+    );
+    let fully = |blend: Blend| {
+        blend.alpha != AlphaEquation::Switches || blend.constant_destination.is_some()
+    };
+    add(
+        state.blend.is_some(),
+        if state.blend.is_some_and(fully) { Stage::BlendFully } else { Stage::Blend },
+    );
     add(needs.late_depth_write && state.aux_write == AuxWrite::Depth, Stage::DepthWrite);
-    add(true, Stage::Write);
+    let whole = write_mask(state, format) == format.element_mask() && logic_op(state).is_none();
+    add(true, if whole { Stage::Write } else { Stage::WriteBits });
     list
 }

@@ -93,11 +93,12 @@ impl Target<'_> {
             Plane::Bits16(pixels) => ColorTile::Bits16(pixels, format),
             Plane::Bits32(pixels) => ColorTile::Bits32(pixels, format),
         };
-        let aux = match self.aux.as_mut().map(|aux| &mut aux.plane) {
-            Some(Plane::Bits16(pixels)) => pixels.as_mut_slice(),
-            _ => &mut [],
+        let (aux, aux32) = match self.aux.as_mut().map(|aux| &mut aux.plane) {
+            Some(Plane::Bits16(pixels)) => (pixels.as_mut_slice(), &mut [][..]),
+            Some(Plane::Bits32(pixels)) => (&mut [][..], pixels.as_mut_slice()),
+            None => (&mut [][..], &mut [][..]),
         };
-        Tile { color, aux, counters }
+        Tile { color, aux, aux32, counters }
     }
 }
 
@@ -369,7 +370,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
     fn is_hidden(&mut self, job: &Job<'a>, target: &mut Target<'_>) -> bool {
         let Current { pipeline, clip, .. } = job.current;
         let Some(aux) = &mut target.aux else { return false };
-        if !pipeline.needs.depth && !pipeline.writes_aux() {
+        if !pipeline.needs.depth && !pipeline.writes_aux() || !aux.has_bounds() {
             return false;
         }
         if job.small && hides_nothing(pipeline, aux) {
@@ -381,7 +382,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
         }
         let range = depth_range(pipeline, job.triangles, job.triangle, &job.area);
         if let Some(range) = range
-            && pipeline.state.stipple.is_none()
+            && !pipeline.drops_by_place()
             && is_hidden(pipeline, range, aux)
         {
             return true;
@@ -391,7 +392,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             && self.coverage.is_full()
             && job.area.contains(&visible)
             && clip.contains(&visible)
-            && pipeline.state.stipple.is_none()
+            && !pipeline.drops_by_place()
             && !pipeline.needs.late_depth_write;
         update_bounds(pipeline, range, whole, aux);
         false

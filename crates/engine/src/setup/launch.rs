@@ -44,7 +44,7 @@ impl<const N: usize> Params<[i64; N]> {
         WideParam { start: self.start[lane], dx: self.dx[lane], dy: self.dy[lane] }
     }
 
-    fn set(&mut self, lane: usize, param: &WideParam) {
+    pub(super) fn set(&mut self, lane: usize, param: &WideParam) {
         (self.start[lane], self.dx[lane], self.dy[lane]) = (param.start, param.dx, param.dy);
     }
 }
@@ -69,22 +69,26 @@ impl From<&Registers> for Launch {
     }
 }
 
+/// A step where every pixel is `scale` x `scale` pixels, to the nearest.
+pub(super) fn share(step: i64, scale: u32) -> i64 {
+    let n = i64::from(scale);
+    step.wrapping_add(n / 2).div_euclid(n)
+}
+
 impl Launch {
     /// The same triangle where every pixel is `scale` x `scale` pixels of the
     /// surface. Steps are rounded to the nearest.
     pub fn scaled(&self, scale: u32) -> Launch {
-        let n = i64::from(scale);
-        let share = |step: i64| step.wrapping_add(n / 2).div_euclid(n);
         let mut out = *self;
         for coordinate in out.x.iter_mut().chain(&mut out.y) {
             *coordinate *= scale as i32;
         }
         for step in out.narrow.dx.iter_mut().chain(&mut out.narrow.dy) {
-            *step = share(i64::from(*step)) as i32;
+            *step = share(i64::from(*step), scale) as i32;
         }
         for params in &mut out.wide {
             for step in params.dx.iter_mut().chain(&mut params.dy) {
-                *step = share(*step);
+                *step = share(*step, scale);
             }
         }
         out
@@ -106,6 +110,7 @@ impl Launch {
             w: self.wide[0].get(0),
             ..Registers::default()
         };
+        registers.specular[3] = Registers::NO_FOG;
         for (unit, params) in registers.tmu.iter_mut().enumerate().take(units) {
             for (i, param) in params.iter_mut().enumerate() {
                 let (group, lane) = wide_lane(unit, i);

@@ -1,5 +1,6 @@
 //! Triangle set-up: from vertices to the registers of a rasterizer chip.
 
+mod extra;
 mod launch;
 mod palette;
 mod planes;
@@ -7,11 +8,14 @@ mod registers;
 mod sst1;
 mod vertex;
 
+pub(crate) use extra::{BASE, Extra, ExtraNeeds, SPECULAR};
 pub(crate) use launch::{Launch, Z};
 pub use palette::{PALETTE_COORDINATE, PalettePrimitive, PaletteVertex};
 pub(crate) use palette::{Plane32, Shape, Texels, prepare_palette};
 pub use planes::MAX_SCALE;
-pub(crate) use planes::{Edge, Narrow, Plane64, Screen, Triangle, Triangles, prepare};
+pub(crate) use planes::{
+    Edge, Narrow, Plane64, Screen, Triangle, Triangles, prepare, prepare_extra,
+};
 pub use registers::{Param, Registers, WideParam};
 pub use sst1::{Cull, Outcome, extended_triangle, triangle};
 pub(crate) use sst1::{Fate, set_up};

@@ -1,6 +1,7 @@
 //! From registers to what the tiles iterate: edges and attribute planes in
 //! screen coordinates.
 
+use super::extra::{BASE, Extra, ExtraNeeds, SPECULAR};
 use super::launch::{GROUP, Launch, NARROW, Params, wide_lane};
 use crate::fixed::COORD_FRACTION;
 use crate::kernel::texture::lod_base;
@@ -70,6 +71,7 @@ pub(crate) struct Plane64 {
 }
 
 impl Plane64 {
+    #[inline(always)]
     pub fn at(&self, x: i32, y: i32) -> i64 {
         self.c
             .wrapping_add(self.dx.wrapping_mul(i64::from(x)))
@@ -145,6 +147,22 @@ impl Triangles {
         [group.plane(first), group.plane(first + 1), group.plane(first + 2)]
     }
 
+    /// A colour of a triangle whose state reads it, 12.12 in the top 24 bits of
+    /// the low halves; `lane` is [`SPECULAR`] or [`BASE`], `units` how many
+    /// texture units iterate.
+    #[inline(always)]
+    pub fn extra_color(&self, triangle: &Triangle, units: usize, lane: usize) -> [Plane64; 4] {
+        let group = &self.wides[triangle.wide as usize + units.max(1) + lane / GROUP];
+        [group.plane(0), group.plane(1), group.plane(2), group.plane(3)]
+    }
+
+    /// Deep z of a triangle whose state reads it.
+    #[inline(always)]
+    pub fn deep_z(&self, triangle: &Triangle, units: usize, needs: ExtraNeeds) -> Plane64 {
+        let colors = if needs.colors { NARROW / GROUP } else { 0 };
+        self.wides[triangle.wide as usize + units.max(1) + colors].plane(0)
+    }
+
     /// Tells the processor that a triangle is needed soon.
     #[inline(always)]
     pub fn prefetch(&self, index: u32) {
@@ -217,6 +235,39 @@ pub(crate) fn prepare<'a>(
     add_edges(&mut triangle, launch, screen);
     out.list.push(triangle);
     out.list.last()
+}
+
+/// Appends the parameters that a state reads besides to the planes of the
+/// triangle prepared last.
+pub(crate) fn prepare_extra(
+    extra: &Extra,
+    launch: &Launch,
+    screen: &Screen,
+    needs: ExtraNeeds,
+    out: &mut Triangles,
+) {
+    let Some(triangle) = out.list.last_mut() else { return };
+    let planes = Corrected::new(launch, screen, &triangle.bounds);
+    if needs.colors {
+        let narrow = planes.narrow(&extra.colors);
+        out.wides.push(color_group(&narrow, SPECULAR, 0));
+        // The lanes that hold no colour of a launch are not in the top bits.
+        out.wides.push(color_group(&narrow, BASE, 8));
+    }
+    if needs.deep_z {
+        let limits = [W_LIMIT, f64::INFINITY, f64::INFINITY, f64::INFINITY];
+        let (group, below) = planes.wide(&extra.deep_z, &limits);
+        triangle.exact &= below;
+        out.wides.push(group);
+    }
+}
+
+/// Four 32-bit parameters as a group.
+fn color_group(narrow: &Narrow, first: usize, shift: u32) -> WideGroup {
+    let lanes = |from: &[i32; NARROW]| {
+        core::array::from_fn(|i| i64::from(from[first + i].wrapping_shl(shift)))
+    };
+    WideGroup { c: lanes(&narrow.c), dx: lanes(&narrow.dx), dy: lanes(&narrow.dy) }
 }
 
 #[inline(always)]

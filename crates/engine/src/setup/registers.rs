@@ -57,3 +57,8 @@ pub struct Registers {
     /// Depth, 32 fraction bits: see [`crate::state::DepthSource::DeepZ`].
     pub deep_z: WideParam,
 }
+
+impl Registers {
+    /// The fog factor, the fourth value of `specular`, of triangles without fog.
+    pub const NO_FOG: Param = Param { start: 255 << 12, dx: 0, dy: 0 };
+}

@@ -136,35 +136,6 @@ pub struct DrawState {
     pub color_write: bool,
 }
 
-impl DrawState {
-    /// The first thing it asks for that the engine does not do yet.
-    pub(crate) fn missing(&self) -> Option<&'static str> {
-        use super::{AlphaEquation, FogAmount, ZOverflow};
-        let fog = self.fog.map(|fog| fog.amount);
-        let unit = |asks: fn(&TextureUnit) -> bool| self.units.iter().flatten().any(asks);
-        let alpha = |blend: &Blend| {
-            blend.alpha != AlphaEquation::Switches || blend.constant_destination.is_some()
-        };
-        [
-            (self.shade != Shade::default(), "shading after the combine units"),
-            (fog == Some(FogAmount::Iterated), "an iterated fog factor"),
-            (fog == Some(FogAmount::ByW), "a fog table by w"),
-            (self.pattern.is_some(), "a pattern"),
-            (self.blend.as_ref().is_some_and(alpha), "this kind of blending"),
-            (self.logic_op.is_some(), "a logic operation"),
-            (self.plane_mask != u32::MAX, "a plane mask"),
-            (self.channels != Channels::ALL, "a channel mask"),
-            (self.dither_offset != [0; 2], "a dither offset"),
-            (self.depth.z_overflow != ZOverflow::Wrap, "a rule for z outside its range"),
-            (self.depth.source.is_deep(), "a deep depth buffer"),
-            (unit(|unit| unit.mix_levels), "mixing of texture levels"),
-            (unit(|unit| unit.drop_keyed), "a texel key"),
-        ]
-        .into_iter()
-        .find_map(|(asked, what)| asked.then_some(what))
-    }
-}
-
 impl Default for DrawState {
     fn default() -> DrawState {
         use super::{Addend, CombineUnit, Factor};

@@ -47,6 +47,16 @@ pub struct Pattern {
 }
 
 impl Pattern {
+    /// Whether it is a row of bits along the columns.
+    pub(crate) fn along_x(&self) -> bool {
+        matches!(self.bits, PatternBits::Line { axis: Axis::X, .. })
+    }
+
+    /// Whether it drops fragments.
+    pub(crate) fn drops(&self) -> bool {
+        self.background.is_none()
+    }
+
     /// Whether the bit at a surface position is 1.
     pub fn draws(&self, x: u32, y: u32) -> bool {
         match &self.bits {

@@ -91,7 +91,7 @@ impl PixelFormat {
             PixelFormat::Alpha8 => bits(alpha, 0xff),
             _ => {
                 let [rb, gb, bb, ab] = widths(self);
-                let mask = |width: u32, at: u32| ((1u64 << width) - 1 << at) as u32;
+                let mask = |width: u32, at: u32| (((1u64 << width) - 1) << at) as u32;
                 bits(red, mask(rb, bb + gb))
                     | bits(green, mask(gb, bb))
                     | bits(blue, mask(bb, 0))
@@ -158,7 +158,7 @@ pub fn pack(format: PixelFormat, argb: u32, dither: Dither, x: u32, y: u32) -> u
 pub fn unpack(format: PixelFormat, element: u32) -> u32 {
     let byte = element & 0xff;
     match format {
-        PixelFormat::Gray8 => return 0xff00_0000 | byte * 0x0001_0101,
+        PixelFormat::Gray8 => return 0xff00_0000 | (byte * 0x0001_0101),
         PixelFormat::Alpha8 => return byte << 24 | 0x00ff_ffff,
         _ => {}
     }

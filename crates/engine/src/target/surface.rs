@@ -97,6 +97,11 @@ impl TileCell {
         }
     }
 
+    /// Whether its bounds mean something: those of 32-bit elements do not.
+    pub fn has_bounds(&self) -> bool {
+        matches!(self.plane, Plane::Bits16(_))
+    }
+
     /// Widens the bounds to include a value.
     pub fn include(&mut self, low: u16, high: u16) {
         self.low = self.low.min(low);

@@ -144,6 +144,12 @@ impl Texture {
         self.keys.get(at).is_some_and(|entry| entry & 0xff != 0)
     }
 
+    /// The entries of the texels' keys, in the places of the texels; empty where
+    /// none is keyed.
+    pub(crate) fn keys(&self) -> &[u64] {
+        &self.keys
+    }
+
     /// The shape it was built with.
     pub fn desc(&self) -> TextureDesc {
         self.desc

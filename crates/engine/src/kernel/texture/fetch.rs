@@ -4,6 +4,7 @@ use fillrate_simd::{IntLanes, Simd};
 
 use super::UnitPlan;
 use crate::kernel::block::Block;
+use crate::kernel::lanes::mix_256;
 
 /// The samples of fragments `k..` that [`super::address`] described.
 ///
@@ -49,5 +50,25 @@ fn fetch_all<S: Simd, const POINT: bool>(s: S, block: &mut Block, plan: &UnitPla
         let out = if plan.texel_only { &mut block.texture } else { &mut block.scratch };
         s.store(rb, &mut out.rb.0[k..]);
         s.store(ga, &mut out.ga.0[k..]);
+    }
+}
+
+/// Mixes the samples of [`fetch`] with those of the next coarser level, whose
+/// addresses are in the block now, by the fraction of the level of detail.
+#[inline(always)]
+pub(crate) fn mix_next<S: Simd>(s: S, block: &mut Block, plan: &UnitPlan) {
+    let entries = plan.texture.entries();
+    for k in (0..block.len()).step_by(S::LANES) {
+        let [rb, ga] = if plan.point {
+            texels::<S, true>(s, block, entries, k)
+        } else {
+            texels::<S, false>(s, block, entries, k)
+        };
+        let fraction = s.load(&block.lod.0[k..]) & s.splat(0xff);
+        let fraction = fraction | fraction.shl(16);
+        let out = if plan.texel_only { &mut block.texture } else { &mut block.scratch };
+        let finer = [s.load(&out.rb.0[k..]), s.load(&out.ga.0[k..])];
+        s.store(mix_256(s, finer[0], rb, fraction), &mut out.rb.0[k..]);
+        s.store(mix_256(s, finer[1], ga, fraction), &mut out.ga.0[k..]);
     }
 }

@@ -32,6 +32,12 @@ pub(super) fn smallest_w_below(base: i32, level: i32) -> f64 {
     smallest_with_log2_8(base - (level << 8) + 1)
 }
 
+/// 256 times the logarithm of a positive float that is linear between powers of
+/// two, rounded down.
+fn linear_log2_8(value: f64) -> i32 {
+    (value.to_bits() >> 44) as i32 - (1023 << 8)
+}
+
 /// The level of detail of one fragment, limited.
 pub(super) fn lod_at(plan: &UnitPlan, base: i32, w: i64, x: i32, y: i32) -> i32 {
     if w <= 0 {
@@ -42,7 +48,8 @@ pub(super) fn lod_at(plan: &UnitPlan, base: i32, w: i64, x: i32, y: i32) -> i32 
     } else {
         0
     };
-    plan.limit(base - log2_8_int(w as u64) + dither)
+    let log = if plan.unit.mix_levels { linear_log2_8(w as f64) } else { log2_8_int(w as u64) };
+    plan.limit(base - log + dither)
 }
 
 #[cfg(test)]

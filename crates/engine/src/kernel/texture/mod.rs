@@ -5,11 +5,13 @@
 mod address;
 mod combine;
 mod fetch;
+mod key;
 mod lod;
 mod plan;
 
 pub(crate) use address::{TextureSteps, address};
 pub(crate) use combine::texture_combine;
-pub(crate) use fetch::{fetch, texels};
+pub(crate) use fetch::{fetch, mix_next, texels};
+pub(crate) use key::texel_key;
 pub(crate) use lod::lod_base;
 pub(crate) use plan::UnitPlan;

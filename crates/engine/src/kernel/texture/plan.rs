@@ -36,6 +36,8 @@ pub(crate) struct UnitPlan {
     pub texel_only: bool,
     /// The unit upstream counts.
     pub has_other: bool,
+    /// Where levels are mixed: the same plan one level coarser.
+    pub next: Option<Box<UnitPlan>>,
     pub switches: Switches,
     pub arithmetic: Arithmetic,
 }
@@ -46,18 +48,35 @@ const COARSEST: i32 = (MAX_LEVELS as i32 - 1) << 8;
 impl UnitPlan {
     /// Compiles unit `index`; `has_other` where a unit upstream is in use.
     pub fn new(index: usize, unit: TextureUnit, texture: Arc<Texture>, has_other: bool) -> Self {
+        let mut plan = Self::of_level(index, unit, texture, has_other, 0);
+        if unit.mix_levels {
+            let texture = plan.texture.clone();
+            plan.next = Some(Box::new(Self::of_level(index, unit, texture, has_other, 1)));
+        }
+        plan
+    }
+
+    /// The plan whose levels are all coarser by `coarser` than those selected.
+    fn of_level(
+        index: usize,
+        unit: TextureUnit,
+        texture: Arc<Texture>,
+        has_other: bool,
+        coarser: usize,
+    ) -> Self {
         let combine = unit.combine;
         let lod_max = i32::from(unit.lod.max).min(COARSEST);
         UnitPlan {
             index,
             unit,
-            tables: tables(&texture, unit.odd_levels),
+            tables: tables(&texture, unit.odd_levels, coarser),
             lod_min: i32::from(unit.lod.min).min(lod_max),
             lod_max,
-            needs_lod: unit.lod_dither || uses_lod(&combine, unit.trilinear),
+            needs_lod: unit.lod_dither || unit.mix_levels || uses_lod(&combine, unit.trilinear),
             point: unit.minify == Filter::Point && unit.magnify == Filter::Point,
             texel_only: passes_texel(&combine),
             has_other,
+            next: None,
             switches: Switches::new(&combine.color, &combine.alpha),
             arithmetic: Arithmetic::of(&combine.color, &combine.alpha, true),
             texture,
@@ -89,8 +108,9 @@ fn uses_lod(combine: &TextureCombine, trilinear: bool) -> bool {
     trilinear || needs(&combine.color) || needs(&combine.alpha)
 }
 
-fn tables(texture: &Texture, odd_levels: Option<bool>) -> LevelTables {
+fn tables(texture: &Texture, odd_levels: Option<bool>, coarser: usize) -> LevelTables {
     let level = |i: usize| {
+        let i = i + coarser;
         let missing = odd_levels.is_some_and(|odd| (i & 1 == 1) != odd);
         texture.level(i + usize::from(missing))
     };

@@ -1,0 +1,184 @@
+//! Depth beyond the SST-1's: 32-bit planes, deep sources, and other rules for z
+//! outside its range. It stands in the place of the depth stage of states that
+//! have any of it.
+
+use fillrate_simd::{FloatLanes, IntLanes, MaskLanes, Simd};
+
+use super::block::{Block, Lanes, STAMP, Slot};
+use super::depth::{DepthLanes, DepthTest, IteratedZ, Kept, compare, keep};
+use super::lanes::{iterate, places, ramp_wide};
+use super::{Pass, Tile};
+use crate::setup::{Plane64, Z};
+use crate::state::{DepthSource, ZOverflow};
+
+/// Integer part of iterated z, 20 bits, signed.
+#[inline(always)]
+fn whole_z<S: Simd>(s: S, pass: &Pass<'_>, at: &Slot, j: usize) -> S::I {
+    iterate(s, &pass.triangle(at).narrow, Z, places(s, at.x, at.y, j)).sar(12)
+}
+
+/// Iterated z, limited to 16 bits.
+struct ClampedZ;
+
+impl<S: Simd> DepthLanes<S> for ClampedZ {
+    #[inline(always)]
+    fn enter(&mut self, _s: S, _pass: &Pass<'_>, _at: &Slot, _slot: usize) {}
+
+    #[inline(always)]
+    fn lanes(&self, s: S, pass: &Pass<'_>, at: &Slot, j: usize) -> S::I {
+        whole_z(s, pass, at, j).max(s.splat(0)).min(s.splat(0xffff))
+    }
+}
+
+/// Depths of a deep source.
+struct Deep {
+    values: [i32; STAMP],
+}
+
+impl<S: Simd> DepthLanes<S> for Deep {
+    #[inline(always)]
+    fn enter(&mut self, s: S, pass: &Pass<'_>, at: &Slot, _slot: usize) {
+        let (triangle, pipeline) = (pass.triangle(at), pass.pipeline);
+        let by_w = pipeline.state.depth.source == DepthSource::DeepW;
+        let plane = if by_w {
+            pass.triangles.w(triangle)
+        } else {
+            pass.triangles.deep_z(triangle, pipeline.unit_count, pipeline.needs.extra)
+        };
+        if !triangle.exact {
+            return exact_stamp(&plane, by_w, at, &mut self.values);
+        }
+        let mut ramp = [0.0; STAMP];
+        ramp_wide(s, &plane, &mut ramp);
+        let base = s.splat_f(plane.at(at.x, at.y) as f64);
+        let whole = s.splat_f(1.0 / (1u64 << 32) as f64);
+        for j in (0..STAMP).step_by(S::LANES) {
+            let value = base + s.load_f(&ramp[j..]);
+            let depth = if by_w { value.high_word() } else { (value * whole).floor_i32() };
+            s.store(depth.max(s.splat(0)), &mut self.values[j..]);
+        }
+    }
+
+    #[inline(always)]
+    fn lanes(&self, s: S, _pass: &Pass<'_>, _at: &Slot, j: usize) -> S::I {
+        s.load(&self.values[j..])
+    }
+}
+
+/// The depths of a stamp whose iterators are too large for floats.
+fn exact_stamp(plane: &Plane64, by_w: bool, at: &Slot, out: &mut [i32; STAMP]) {
+    for (i, out) in out.iter_mut().enumerate() {
+        let value = plane.at(at.x + (i & 3) as i32, at.y + (i >> 2) as i32);
+        *out = match by_w {
+            true => ((value.max(0) as f64).to_bits() >> 32) as i32,
+            false => (value >> 32).clamp(0, i64::from(i32::MAX)) as i32,
+        };
+    }
+}
+
+/// Computes z and w where they are needed, tests and writes depth; `READY` where
+/// the depths are in the block already.
+#[inline(always)]
+pub(crate) fn wide_depth<S: Simd, const READY: bool>(
+    s: S,
+    block: &mut Block,
+    pass: &Pass<'_>,
+    tile: &mut Tile<'_>,
+) {
+    let (needs, state) = (&pass.pipeline.needs, &pass.pipeline.state.depth);
+    let wraps = state.z_overflow == ZOverflow::Wrap;
+    if READY {
+        let Block { live, count, slots, z, depth, .. } = block;
+        let fragments = Fragments { live, slots: &slots[..*count], depth };
+        return test_depth(s, fragments, &mut Kept { values: z, first: 0 }, pass, tile);
+    }
+    if state.z_overflow == ZOverflow::Reject && state.source == DepthSource::Z {
+        reject_overflow(s, block, pass, tile);
+    }
+    let Block { live, count, slots, steps, z, w, depth, .. } = block;
+    let slots = &slots[..*count];
+    if needs.keeps_z && wraps {
+        keep(s, &mut IteratedZ, slots, pass, z);
+    } else if needs.keeps_z {
+        keep(s, &mut ClampedZ, slots, pass, z);
+    }
+    if needs.keeps_w {
+        keep(s, &mut steps.w, slots, pass, w);
+    }
+    let fragments = Fragments { live, slots, depth };
+    match state.source {
+        DepthSource::Z if wraps => test_depth(s, fragments, &mut IteratedZ, pass, tile),
+        DepthSource::Z => test_depth(s, fragments, &mut ClampedZ, pass, tile),
+        DepthSource::FloatW => test_depth(s, fragments, &mut steps.w, pass, tile),
+        DepthSource::DeepZ | DepthSource::DeepW => {
+            test_depth(s, fragments, &mut Deep { values: [0; STAMP] }, pass, tile);
+        }
+    }
+}
+
+/// Drops the fragments whose iterated z is no 16-bit number.
+#[inline(always)]
+fn reject_overflow<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    let mut inside = 0u64;
+    for slot in 0..block.count {
+        for j in (0..STAMP).step_by(S::LANES) {
+            let over = whole_z(s, pass, &block.slots[slot], j).shr(16);
+            inside |= u64::from(over.eq(s.splat(0)).bits()) << (slot * STAMP + j);
+        }
+    }
+    tile.counters.depth_fail += block.keep(inside);
+}
+
+/// The parts of a block that the depth test works on.
+struct Fragments<'a> {
+    live: &'a mut u64,
+    slots: &'a [Slot],
+    depth: &'a mut Lanes,
+}
+
+/// Drops the fragments that fail the test, and writes the depth of the others,
+/// at once or into `block.depth` where something later can drop them.
+#[inline(always)]
+fn test_depth<S: Simd, D: DepthLanes<S>>(
+    s: S,
+    fragments: Fragments<'_>,
+    source: &mut D,
+    pass: &Pass<'_>,
+    tile: &mut Tile<'_>,
+) {
+    let needs = &pass.pipeline.needs;
+    if !needs.depth {
+        return;
+    }
+    let deep = pass.pipeline.state.depth.source.is_deep();
+    let test = DepthTest::new(pass.pipeline);
+    let before = *fragments.live;
+    let mut left = 0;
+    for (slot, at) in fragments.slots.iter().enumerate() {
+        source.enter(s, pass, at, slot);
+        for j in (0..STAMP).step_by(S::LANES) {
+            let k = slot * STAMP + j;
+            let value = source.lanes(s, pass, at, j);
+            let value = if deep { value } else { test.biased(s, value) };
+            if needs.late_depth_write {
+                s.store(value, &mut fragments.depth.0[k..]);
+            }
+            let place = at.at as usize + j;
+            let mut passed = s.mask((before >> k) as u32);
+            if let Some(op) = test.test {
+                let constant = test.constant.filter(|_| !deep);
+                let compared = constant.map_or(value, |constant| s.splat(constant));
+                // Planes hold unsigned numbers, and lanes compare signed ones.
+                let sign = s.splat(i32::MIN);
+                let stored = tile.load_aux(s, place);
+                passed = passed & compare(s, op, compared ^ sign, stored ^ sign);
+            }
+            if test.writes {
+                tile.store_aux(s, value, place, passed);
+            }
+            left |= u64::from(passed.bits()) << k;
+        }
+    }
+    *fragments.live = left;
+    tile.counters.depth_fail += u64::from((before & !left).count_ones());
+}
