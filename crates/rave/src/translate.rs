@@ -124,11 +124,15 @@ pub(crate) fn draw_state(state: &State, at: &Surroundings, variant: &Variant) ->
         },
         blend: if variant.opaque { None } else { blending(state) },
         dither: if at.dithers && at.format.is_reduced() { Dither::Ordered4x4 } else { Dither::Off },
+        color_write: state.int(int::GL_DRAW_BUFFER) & GL_BUFFERS != 0,
         channels: channels(state),
         pattern: pattern(state, variant.pattern),
         ..DrawState::default()
     }
 }
+
+/// OpenGL's draw buffers; without one, colours are not written.
+const GL_BUFFERS: u32 = 15;
 
 /// The scissor rectangle inside the context; `None`: all of it.
 pub(crate) fn scissor(state: &State, (width, height): (u32, u32)) -> Option<Rect> {

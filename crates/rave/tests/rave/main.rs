@@ -2,4 +2,10 @@
 
 mod calls;
 mod conformance;
+mod engines;
+mod frames;
+mod model;
+mod pixels;
+mod replay;
 mod scene;
+mod textures;
