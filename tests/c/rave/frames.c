@@ -312,8 +312,8 @@ int main(void)
 {
     check_buffers();
     check_rectangles();
-    check_notices();
-    check_draw_notification();
     check_caches();
+    check_draw_notification();
+    check_notices();
     return CHECK_REPORT();
 }
