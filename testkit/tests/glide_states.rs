@@ -369,7 +369,8 @@ fn take_apart(mode: i32, format: i32, value: u32) -> (Option<[u32; 3]>, Option<u
     (color, alpha, depth)
 }
 
-/// Locks in any mode, stores a few runs, unlocks; and the same in the reference.
+/// Locks in any mode, stores a few runs, draws, stores again, and unlocks; and
+/// the same in the reference.
 fn write_pixels(pair: &mut Pair, rng: &mut Rng) {
     let mode = pick(pair, rng, "write mode", &WRITE_MODES);
     let origin = pick(pair, rng, "write origin", &[0, 1]);
@@ -382,36 +383,14 @@ fn write_pixels(pair: &mut Pair, rng: &mut Rng) {
     pair.call(&Call::GrLfbConstantDepth { depth });
     assert_eq!(pair.call(&Call::GrLfbLock { kind: 1, buffer, mode, origin, pipeline }), 1);
     let (state, _) = pair.state();
-    let wide = matches!(mode, 4 | 5 | 0xc..=0xe);
     let before = pair.reference.counters.pixels_out;
-    let mut rows: Vec<u32> = (0..3).map(|_| rng.below(HEIGHT)).collect();
-    rows.sort_unstable();
-    rows.dedup();
-    for y in rows {
-        let (x, count) = (rng.below(200), 1 + rng.below(60));
-        let mut values = Vec::new();
-        let words = pair.context.lfb_memory(1).expect("the lock is held");
-        for x in x..x + count {
-            let at = (y * 1024 + x) as usize;
-            // Never what is there: a store of that cannot be seen.
-            let held = if wide { words[at] } else { words[at / 2] >> (16 * (at & 1)) & 0xffff };
-            let random = if wide { rng.word() } else { rng.word() & 0xffff };
-            let value = if random == held { held ^ 1 } else { random };
-            if wide {
-                words[at] = value;
-            } else {
-                let half = 16 * (at & 1);
-                words[at / 2] = words[at / 2] & !(0xffff << half) | value << half;
-            }
-            values.push(value);
-        }
-        let write = Write { state: &state, mode, format, origin, alpha, depth };
-        if pipeline == 1 {
-            write.through_pipeline(&mut pair.reference, x, y, &values);
-        } else {
-            write.past_pipeline(&mut pair.reference, x, y, &values);
-        }
+    let write = Write { state: &state, mode, format, origin, alpha, depth };
+    for _ in 0..3 {
+        write.store_runs(pair, rng, pipeline == 1);
+        draw_triangle(pair, rng);
+        write.check_shown(pair, rng, pipeline == 1);
     }
+    write.store_runs(pair, rng, pipeline == 1);
     assert_eq!(pair.call(&Call::GrLfbUnlock { kind: 1, buffer, written: None }), 1);
     if pipeline == 1 {
         pair.note(before);
@@ -437,6 +416,61 @@ struct Write<'a> {
 }
 
 impl Write<'_> {
+    /// A few runs of pixels of three rows.
+    fn store_runs(&self, pair: &mut Pair, rng: &mut Rng, pipeline: bool) {
+        let wide = matches!(self.mode, 4 | 5 | 0xc..=0xe);
+        let mut rows: Vec<u32> = (0..3).map(|_| rng.below(HEIGHT)).collect();
+        rows.sort_unstable();
+        rows.dedup();
+        for y in rows {
+            let (x, count) = (rng.below(200), 1 + rng.below(60));
+            let mut values = Vec::new();
+            let words = pair.context.lfb_memory(1).expect("the lock is held");
+            for x in x..x + count {
+                let at = (y * 1024 + x) as usize;
+                // Never what is there: where that is noise, a store of it
+                // cannot be seen.
+                let held = if wide { words[at] } else { words[at / 2] >> (16 * (at & 1)) & 0xffff };
+                let random = if wide { rng.word() } else { rng.word() & 0xffff };
+                let value = if random == held { held ^ 1 } else { random };
+                if wide {
+                    words[at] = value;
+                } else {
+                    let half = 16 * (at & 1);
+                    words[at / 2] = words[at / 2] & !(0xffff << half) | value << half;
+                }
+                values.push(value);
+            }
+            if pipeline {
+                self.through_pipeline(&mut pair.reference, x, y, &values);
+            } else {
+                self.past_pipeline(&mut pair.reference, x, y, &values);
+            }
+        }
+    }
+
+    /// A row of the buffer's own pixels in the memory of a lock.
+    fn check_shown(&self, pair: &mut Pair, rng: &mut Rng, pipeline: bool) {
+        let plain = self.mode == 0 && matches!(self.format, 0 | 2) || self.mode == 0xf;
+        if !plain || pipeline {
+            return;
+        }
+        // Stores elsewhere are still as they were stored, undithered.
+        pair.call(&Call::GrSstIdle {});
+        let y = rng.below(HEIGHT);
+        let row = if self.origin == 1 { HEIGHT - 1 - y } else { y };
+        let words = pair.context.lfb_memory(1).expect("the lock is held");
+        for x in 0..WIDTH {
+            let at = (y * 1024 + x) as usize;
+            let element = (row * WIDTH + x) as usize;
+            let expected = match self.mode {
+                0xf => u32::from(pair.reference.aux.as_ref().expect("an aux buffer")[element]),
+                _ => pair.reference.color[element],
+            };
+            assert_eq!(words[at / 2] >> (16 * (at & 1)) & 0xffff, expected, "column {x} of {y}");
+        }
+    }
+
     fn through_pipeline(&self, reference: &mut Reference, x: u32, y: u32, values: &[u32]) {
         let origin = if self.origin == 1 { Origin::LowerLeft } else { Origin::UpperLeft };
         let state = DrawState { origin, ..*self.state };

@@ -6,7 +6,7 @@ use fillrate_glide::{Call, ROW_PIXELS};
 use fillrate_guard::{bytes, guard, write};
 
 use crate::library::calls;
-use crate::session::{ask_buffer, call, null, session};
+use crate::session::{ask, call, null, session};
 
 /// `GrLfbInfo_t`.
 #[repr(C)]
@@ -134,7 +134,7 @@ pub unsafe extern "C" fn grLfbReadRegion(
             null("grLfbReadRegion");
             return 0;
         }
-        let read = ask_buffer(|context| context.lfb_read_region(buffer, (x, y), (width, height)));
+        let read = ask(|context| context.lfb_read_region(buffer, (x, y), (width, height)));
         let Some(pixels) = read else { return 0 };
         if width == 0 || height == 0 {
             return 1;
@@ -223,8 +223,7 @@ pub unsafe extern "C" fn guFbReadRegion(
             return null("guFbReadRegion");
         }
         let buffer = session().old_buffers[0];
-        let read =
-            ask_buffer(|context| context.lfb_read_old_region(buffer, (x, y), (width, height)));
+        let read = ask(|context| context.lfb_read_old_region(buffer, (x, y), (width, height)));
         let Some(pixels) = read.filter(|_| width > 0) else { return };
         let columns = (width as usize).min(ROW_PIXELS);
         for (row, line) in pixels.chunks_exact(columns).enumerate() {

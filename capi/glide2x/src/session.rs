@@ -39,10 +39,7 @@ pub fn session() -> MutexGuard<'static, Session> {
 /// Executes a call, records it, and tells the program what went wrong.
 pub fn call(call: Call) -> u32 {
     let mut session = session();
-    if shows_stores(&call) {
-        session.record_stores();
-    }
-    session.record(&call);
+    session.record_before(&call);
     let swaps = session.context.swaps();
     let result = session.context.execute(&call);
     // A register write can swap, too.
@@ -56,37 +53,21 @@ pub fn call(call: Call) -> u32 {
     result
 }
 
-/// Whether a call carries out what was stored through a lock.
-fn shows_stores(call: &Call) -> bool {
-    matches!(
-        call,
-        Call::GrLfbLock { .. }
-            | Call::GrLfbUnlock { .. }
-            | Call::GrBufferSwap { .. }
-            | Call::GrSstConfigPipeline { .. }
-            | Call::GuFbWriteRegion { .. }
-    )
-}
-
-/// As [`ask`], where the answer is read from a buffer.
-pub fn ask_buffer<T>(question: impl FnOnce(&mut Context) -> T) -> T {
-    session().record_stores();
-    ask(question)
-}
-
 /// Draws a triangle; the call's value is only made where somebody records.
 pub fn draw_triangle(a: &GrVertex, b: &GrVertex, c: &GrVertex) {
     let mut session = session();
     if session.recorder.is_some() {
-        session.record(&Call::GrDrawTriangle { a: *a, b: *b, c: *c });
+        session.record_before(&Call::GrDrawTriangle { a: *a, b: *b, c: *c });
     }
     session.context.draw_triangle(a, b, c);
     tell(session);
 }
 
-/// Asks the library something and tells the program what went wrong.
+/// Asks the library something and tells the program what went wrong. Whoever
+/// asks sees what was stored through locks.
 pub fn ask<T>(question: impl FnOnce(&mut Context) -> T) -> T {
     let mut session = session();
+    session.record_stores();
     let answer = question(&mut session.context);
     tell(session);
     answer
@@ -163,12 +144,25 @@ impl Session {
         }
     }
 
-    /// Records what was stored through the write lock: it is carried out now.
+    /// Records a call that is about to be carried out.
+    fn record_before(&mut self, call: &Call) {
+        if self.recorder.is_some() {
+            if self.context.shows_stores(call) {
+                self.record_stores();
+            }
+            self.record(call);
+        }
+    }
+
+    /// Records what was stored through the write lock, and carries it out, all
+    /// of it now as it will be when the recording is played.
     fn record_stores(&mut self) {
         if self.recorder.is_some()
             && let Some(changes) = self.context.lfb_stores()
         {
-            self.record(&Call::GrLfbStored { changes: changes.into() });
+            let stored = Call::GrLfbStored { changes: changes.into() };
+            self.record(&stored);
+            self.context.execute(&stored);
         }
     }
 

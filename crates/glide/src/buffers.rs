@@ -62,7 +62,7 @@ impl Board {
     }
 
     /// The clip window in screen rows.
-    fn clip_on_screen(&self, height: u32) -> Rect {
+    pub(crate) fn clip_on_screen(&self, height: u32) -> Rect {
         let field = |register: u32, shift: u32| register >> shift & 0x3ff;
         let (lr, bt) = (self.fbi.clip_left_right, self.fbi.clip_bottom_top);
         let (y0, y1) = (field(bt, 16), field(bt, 0));
@@ -77,14 +77,14 @@ impl Board {
     /// Contents change places, nothing is copied.
     pub(crate) fn swap(&mut self, interval: u32) {
         // What was stored so far belongs to the buffer it was stored into.
-        self.commit_stores();
+        self.commit(self.screen());
         self.device.flush(FlushReason::Swap);
         if let Some(buffers) = &mut self.buffers {
             buffers.colors.rotate_left(1);
             self.swaps += 1;
             self.dirty = true;
         }
-        self.refill();
+        self.show_all(self.screen());
         self.clock.swap(interval);
     }
 

@@ -10,10 +10,11 @@ use crate::board::Board;
 use crate::buffers::Shown;
 use crate::card::Card;
 use crate::clock::Clock;
+use crate::enums::LFB_WRITE_ONLY;
 use crate::error::{GlideError, Report, historic_name};
 use crate::gu::MultiPass;
 use crate::improve::{Improvements, MAX_SCALE};
-use crate::lfb::LfbInfo;
+use crate::lfb::{LfbInfo, Meeting};
 use crate::rules::{NOT_OPEN, NULL_POINTER};
 use crate::state::STATE_BYTES;
 use crate::variables::Variables;
@@ -237,9 +238,7 @@ impl Context {
 
     /// The buffer under a lock of that kind.
     pub fn lfb_locked(&self, kind: i32) -> Option<i32> {
-        let lfb = &self.boards.get(self.current)?.lfb;
-        let lock = if kind & 0xf == 1 { &lfb.write } else { &lfb.read };
-        lock.as_ref().map(|lock| lock.buffer)
+        self.boards.get(self.current)?.lfb.lock(kind).map(|lock| lock.buffer)
     }
 
     /// The current board where it is open; tells so otherwise.
@@ -263,14 +262,21 @@ impl Context {
     pub fn draw_triangle(&mut self, a: &GrVertex, b: &GrVertex, c: &GrVertex) {
         if self.config.check {
             self.execute(&crate::Call::GrDrawTriangle { a: *a, b: *b, c: *c });
-        } else if let Some(board) = self.board("grDrawTriangle") {
+            return;
+        }
+        let Some(board) = self.board("grDrawTriangle") else { return };
+        if board.is_locked() {
+            self.execute(&crate::Call::GrDrawTriangle { a: *a, b: *b, c: *c });
+        } else {
             board.draw_triangle([a, b, c]);
         }
     }
 
     /// The displayed buffer of the current board; `None` while it is closed.
     pub fn shown(&mut self) -> Option<Shown> {
-        self.boards.get_mut(self.current)?.shown()
+        let board = self.boards.get_mut(self.current)?;
+        board.commit_stores();
+        board.shown()
     }
 
     /// Swaps of the current board since it was opened.
@@ -303,6 +309,9 @@ impl Context {
     /// Pixel and triangle counters of the current board since their resets.
     /// The board's registers have 24 bits.
     pub fn counters(&mut self) -> Counters {
+        if let Some(board) = self.boards.get_mut(self.current) {
+            board.commit_stores();
+        }
         self.boards.get_mut(self.current).map_or_else(Counters::default, Board::counters)
     }
 
@@ -347,12 +356,24 @@ impl Context {
         board.lock_words(kind).map(Vec::as_mut_slice)
     }
 
-    /// What a program stored through the write lock so far, as data of
-    /// [`crate::Call::GrLfbStored`]: `None` where nothing changed. The unlock, a
-    /// swap and whatever reads a buffer carry it out; a recording needs it
-    /// before them.
+    /// What a program stored through the write lock since it was last carried
+    /// out, as data of [`crate::Call::GrLfbStored`]: `None` where nothing
+    /// changed. Calls that [`Context::shows_stores`] names, and everything that
+    /// this type is asked, carry it out; a recording needs it before them.
     pub fn lfb_stores(&self) -> Option<Vec<u8>> {
         self.boards.get(self.current)?.stores()
+    }
+
+    /// Whether a call may carry out what was stored through a lock.
+    pub fn shows_stores(&mut self, call: &crate::Call) -> bool {
+        use crate::Call;
+        let held = self.lfb_locked(LFB_WRITE_ONLY).is_some();
+        let own = matches!(
+            call,
+            Call::GrLfbUnlock { .. } | Call::GrBufferSwap { .. } | Call::GuFbWriteRegion { .. }
+        );
+        let board = self.boards.get_mut(self.current).filter(|_| held);
+        board.is_some_and(|board| own || board.meeting(call) != Meeting::Nothing)
     }
 
     /// Reads a rectangle; see the front end's `grLfbReadRegion`.
@@ -403,13 +424,16 @@ impl Context {
 
     fn look(&mut self, function: &str) -> Option<&Clock> {
         let board = self.board(function)?;
+        board.commit_stores();
         board.clock.look();
         Some(&board.clock)
     }
 
     /// The status register; see [`Context::video_line`].
     pub fn status(&mut self) -> u32 {
-        self.board("grSstStatus").map_or(0, Board::status)
+        let Some(board) = self.board("grSstStatus") else { return 0 };
+        board.commit_stores();
+        board.status()
     }
 
     /// Bytes of a unit's texture memory; 0 where there is no such unit.

@@ -6,6 +6,7 @@ use crate::combine::{alpha_preset, color_preset, is_delta0, texture_preset};
 use crate::context::Context;
 use crate::enums::*;
 use crate::gu::{Attributes, MipMap, MultiPass, NCC_TABLE_BYTES, Sprite};
+use crate::lfb::Meeting;
 use crate::registers::{lfb_mode, replace, switch};
 use crate::texture::layout;
 use crate::texture_state::{TextureInfo, crosses_bank, lod_bias_quarters};
@@ -16,6 +17,21 @@ impl Context {
     pub fn execute(&mut self, call: &Call) -> u32 {
         self.told = false;
         self.told = self.config.check && self.apply_rules(call);
+        let index = self.current;
+        let board = self.boards.get_mut(index);
+        let meeting = board.map_or(Meeting::Nothing, |board| {
+            let meeting = board.meeting(call);
+            board.meet(meeting);
+            meeting
+        });
+        let result = self.carry_out(call);
+        if let Some(board) = self.boards.get_mut(index).filter(|_| meeting != Meeting::Nothing) {
+            board.part(meeting);
+        }
+        result
+    }
+
+    fn carry_out(&mut self, call: &Call) -> u32 {
         use fillrate_call::Tagged;
         match call {
             Call::GrGlideInit {} => self.init(),
@@ -116,6 +132,7 @@ impl Context {
         let plug = self.plug;
         if let Some(board) = self.board("grBufferSwap") {
             if plug {
+                board.commit_stores();
                 board.draw_plug();
             }
             board.swap(interval.min(255));
@@ -450,6 +467,9 @@ impl Context {
             Call::GrLfbBypassMode { mode } => board.lfb.old.pipeline = mode == 0,
             _ => {}
         }
+        if board.is_locked() && sets_up_old_locks(call) {
+            board.set_up_old_locks();
+        }
         board.dirty = true;
         true
     }
@@ -460,6 +480,12 @@ impl Context {
         let old = board.map(|board| board.lfb.old).unwrap_or_default();
         (old.mode, old.origin, old.pipeline)
     }
+}
+
+/// Whether a call sets what the calls before 2.4 have for a lock's arguments.
+fn sets_up_old_locks(call: &Call) -> bool {
+    use Call::{GrLfbBypassMode, GrLfbOrigin, GrLfbWriteMode};
+    matches!(call, GrLfbWriteMode { .. } | GrLfbOrigin { .. } | GrLfbBypassMode { .. })
 }
 
 /// The mip map that an allocation describes.

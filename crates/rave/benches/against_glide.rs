@@ -75,6 +75,8 @@ trait Frame {
     fn frame(&mut self);
     /// Fragments written so far.
     fn pixels(&mut self) -> u64;
+    /// What is shown, 565.
+    fn picture(&mut self) -> Vec<u16>;
 }
 
 struct Rave {
@@ -148,6 +150,11 @@ impl Frame for Rave {
 
     fn pixels(&mut self) -> u64 {
         self.library.counters().pixels_out
+    }
+
+    fn picture(&mut self) -> Vec<u16> {
+        let shown = self.library.shown().expect("a frame is shown");
+        shown.pixels.as_chunks().0.iter().map(|&p| u16::from_le_bytes(p)).collect()
     }
 }
 
@@ -234,6 +241,19 @@ impl Frame for Glide {
     fn pixels(&mut self) -> u64 {
         self.library.total_counters().pixels_out
     }
+
+    fn picture(&mut self) -> Vec<u16> {
+        self.library.shown().expect("a frame is shown").pixels
+    }
+}
+
+/// How far channels are apart on average, of 31 or 63 steps.
+fn difference(a: &[u16], b: &[u16]) -> f64 {
+    let channels = |p: u16| [p >> 11, p >> 5 & 63, p & 31].map(i32::from);
+    let apart = |(&a, &b): (&u16, &u16)| -> i32 {
+        channels(a).iter().zip(channels(b)).map(|(a, b)| (a - b).abs()).sum()
+    };
+    a.iter().zip(b).map(apart).sum::<i32>() as f64 / (3 * a.len().max(1)) as f64
 }
 
 /// Milliseconds of a frame, each renderer's median of rounds that take turns.
@@ -274,6 +294,8 @@ fn main() {
         glide.frame();
         let (ours, theirs) = (rave.pixels(), glide.pixels());
         assert!(ours.abs_diff(theirs) <= theirs / 100, "the same work: {ours}, {theirs} fragments");
+        let apart = difference(&rave.picture(), &glide.picture());
+        assert!(apart < 1.0, "the same picture: {apart} apart");
         let times = measure(&mut [&mut rave, &mut glide, &mut threaded], frames);
         let ratio = times[0] / times[1];
         println!(

@@ -11,7 +11,6 @@ use fillrate_engine::state::{
 use fillrate_engine::{DrawState, PixelFormat};
 
 use crate::constants::{blend, channel, compare, multi_texture, quality, texture_op};
-use crate::fog::FogCurve;
 use crate::state::{Layer, State, unit_byte};
 use crate::tags::{float, int};
 
@@ -105,7 +104,12 @@ pub(crate) struct Surroundings {
 }
 
 /// The engine's state for primitives of a variant.
-pub(crate) fn draw_state(state: &State, at: &Surroundings, variant: &Variant) -> DrawState {
+pub(crate) fn draw_state(
+    state: &State,
+    at: &Surroundings,
+    variant: &Variant,
+    fog_table: &FogTable,
+) -> DrawState {
     let (color_combine, alpha_combine, shade) = combine(state, variant);
     DrawState {
         clip: scissor(state, at.size),
@@ -118,8 +122,8 @@ pub(crate) fn draw_state(state: &State, at: &Surroundings, variant: &Variant) ->
         color0: state.color(float::GL_TEXTURE_ENV_COLOR_A),
         alpha_test: alpha_test(state),
         fog: fog_state(state, variant.fog),
-        fog_table: match (variant.fog, FogCurve::of(state)) {
-            (FogSource::Fragment, Some(curve)) => curve.table(),
+        fog_table: match variant.fog {
+            FogSource::Fragment => *fog_table,
             _ => FogTable::default(),
         },
         blend: if variant.opaque { None } else { blending(state) },

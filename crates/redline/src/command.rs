@@ -268,7 +268,7 @@ impl CommandSink for CommandBuffer {
     }
 
     fn add_dma(&mut self, block: DmaBlock) -> Result<(), VError> {
-        if block.offset % 4 != 0 || block.words > MAX_BLOCK_WORDS {
+        if !block.offset.is_multiple_of(4) || block.words > MAX_BLOCK_WORDS {
             return Err(VError::ParamError);
         }
         let used = self.entries[0] + block.entries() as usize;

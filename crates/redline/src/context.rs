@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use fillrate_engine::Counters;
+
 use crate::board::MICROCODE_BYTES;
 use crate::call::{Call, Reply};
 use crate::config::RedlineConfig;
@@ -173,6 +175,11 @@ impl Context {
         if let Some(device) = self.devices.get(&device) {
             device.wait(buffer);
         }
+    }
+
+    /// What a device has drawn. Waits until all it was issued is drawn.
+    pub fn counters(&self, device: u32) -> Option<Counters> {
+        self.devices.get(&device).map(Device::counters)
     }
 
     /// What a device shows. Waits until all it was issued is drawn.

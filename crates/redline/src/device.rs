@@ -6,6 +6,8 @@
 
 use std::collections::BTreeMap;
 
+use fillrate_engine::Counters;
+
 use crate::allocate::{Allocator, End};
 use crate::board::MICROCODE_BYTES;
 use crate::call::Rect;
@@ -202,7 +204,10 @@ impl Device {
 
     /// `V_SetDisplayLinebytes`.
     pub fn set_display_linebytes(&mut self, linebytes: u32) -> Result<(), VError> {
-        if linebytes == 0 || linebytes > self.config.chip.max_pitch() || linebytes % 4 != 0 {
+        if linebytes == 0
+            || linebytes > self.config.chip.max_pitch()
+            || !linebytes.is_multiple_of(4)
+        {
             return Err(VError::ParamError);
         }
         self.worker.chip().scanout.linebytes = linebytes;
@@ -257,6 +262,11 @@ impl Device {
         }
         let pixels = bytes.as_chunks().0.iter().map(|&two| u16::from_le_bytes(two)).collect();
         Shown { width, height, pixels }
+    }
+
+    /// What the chip has drawn.
+    pub fn counters(&self) -> Counters {
+        self.worker.chip().counters()
     }
 
     // Buffer groups.
@@ -542,7 +552,7 @@ impl Device {
             return Err(VError::ParamError);
         }
         let format = group.buffer_format(buffer);
-        if format.bits() == 4 && at[0] % 2 != 0 {
+        if format.bits() == 4 && !at[0].is_multiple_of(2) {
             return Err(VError::ParamError);
         }
         let row = format.row_bytes(size[0]) as u32;

@@ -138,7 +138,7 @@ fn widen(value: u32, bits: u32, pad: bool) -> u32 {
 /// Source: RR, pixel formats, colour padding.
 pub fn unpack(format: PixFmt, pixel: u32, pad: bool) -> u32 {
     if format == PixFmt::Gray8 {
-        return 0xff00_0000 | (pixel & 0xff) * 0x1_0101;
+        return 0xff00_0000 | ((pixel & 0xff) * 0x1_0101);
     }
     let [a, r, g, b] = format.channels();
     let mut shift = 0;
@@ -151,12 +151,16 @@ pub fn unpack(format: PixFmt, pixel: u32, pad: bool) -> u32 {
     channel(a) << 24 | red << 16 | green << 8 | blue
 }
 
-/// Reduces 0xAARRGGBB to a pixel by truncation. Grey takes the green channel.
+/// Reduces 0xAARRGGBB to a pixel by truncation. Grey is `(77 * red + 150 * green
+/// + 29 * blue + 128) >> 8`.
 pub fn pack(format: PixFmt, argb: u32) -> u32 {
     let reduce = |shift: u32, bits: u32| (argb >> shift & 0xff) >> (8 - bits);
     let [a, r, g, b] = format.channels();
     match format {
-        PixFmt::Gray8 => argb >> 8 & 0xff,
+        PixFmt::Gray8 => {
+            let channel = |shift: u32| argb >> shift & 0xff;
+            (77 * channel(16) + 150 * channel(8) + 29 * channel(0) + 128) >> 8
+        }
         _ => ((reduce(24, a) << r | reduce(16, r)) << g | reduce(8, g)) << b | reduce(0, b),
     }
 }
@@ -205,7 +209,7 @@ mod tests {
         assert_eq!(unpack(PixFmt::Rgb565, 0xffff, false), 0xfff8_fcf8);
         assert_eq!(unpack(PixFmt::Argb1555, 0x8000, true), 0xff00_0000);
         assert_eq!(unpack(PixFmt::Alpha8, 0x40, true), 0x40ff_ffff);
-        assert_eq!(unpack(PixFmt::Rgb332, 0b111_000_11, true), 0xffff_00ff);
+        assert_eq!(unpack(PixFmt::Rgb332, 0b1110_0011, true), 0xffff_00ff);
     }
 
     #[test]

@@ -55,6 +55,9 @@ pub struct Layout {
 pub const ABSENT: u8 = 0xff;
 
 impl Layout {
+    /// No words.
+    pub(crate) const EMPTY: Layout = Layout { words: 0, at: [ABSENT; ATTRIBUTES] };
+
     const fn new(attributes: &[Attribute]) -> Layout {
         let mut at = [ABSENT; ATTRIBUTES];
         let mut word = 0;

@@ -1,5 +1,7 @@
 //! Lines: parallelograms one pixel wide.
 
+use fillrate_engine::fixed;
+
 use crate::board::Board;
 use crate::draw::launch::{Ramp, after_launch, values, zip};
 use crate::vertex::GrVertex;
@@ -35,9 +37,11 @@ impl Board {
         }
         let launched = ramp.registers(first, signs[0]);
         self.launch(&launched);
-        let mut again = ramp.registers(second, signs[1]);
-        let left = after_launch(&launched);
-        (again.color, again.z, again.w, again.tmu) = (left.color, left.z, left.w, left.tmu);
+        // The steps are the same; converting them costs more than the rest.
+        let mut again = after_launch(&launched);
+        again.x = second.map(|(x, _)| fixed::coord(x));
+        again.y = second.map(|(_, y)| fixed::coord(y));
+        again.negative = signs[1];
         self.launch(&again);
     }
 }

@@ -23,7 +23,7 @@ impl Board {
         }
         let [a, b, c] = corners.map(|v| self.rules.convert(v));
         let cull = self.cull();
-        if self.stipple_rotates() {
+        if self.stipples_in_pieces() {
             return self.draw_triangle_stippled([&a, &b, &c], cull);
         }
         self.device.draw_triangle([&a, &b, &c], cull);

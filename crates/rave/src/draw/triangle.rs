@@ -1,8 +1,11 @@
 //! Triangles.
 
+use fillrate_engine::{Vertex, VertexExtra};
+
 use super::Pen;
 use super::convert::w_scale;
 use crate::RaveError;
+use crate::batch::Corner;
 use crate::constants::texture_op;
 use crate::translate::{Paint, PatternUse, Variant};
 use crate::vertex::{VGouraud, VTexture};
@@ -20,13 +23,8 @@ impl Pen<'_> {
         let alpha_is_one = prepared.alpha_fog || v.iter().all(|v| v.a >= 1.0);
         let fog = prepared.fog_source(v.iter().all(|v| v.inv_w > 0.0));
         let is_extended = prepared.extends(fog);
-        let corners = v.map(|v| {
-            let mut corner = prepared.gouraud(v);
-            if is_extended {
-                corner.extra = prepared.extra(v.z, v.inv_w, v.a);
-            }
-            corner
-        });
+        let corners = v.map(|v| prepared.gouraud(v));
+        let extras = is_extended.then(|| v.map(|v| prepared.extra(v.z, v.inv_w, v.a)));
         let variant = Variant {
             paint: Paint::Gouraud,
             opaque: prepared.is_opaque(alpha_is_one),
@@ -35,7 +33,7 @@ impl Pen<'_> {
             pattern: PatternUse::Area,
         };
         self.choose(&variant);
-        self.add(corners, is_extended);
+        self.add_with(corners, extras);
     }
 
     /// `QADrawTriTexture`; `at` says which of the multi-texture parameters are
@@ -59,17 +57,15 @@ impl Pen<'_> {
         let is_extended = prepared.extends_texture(fog);
         let scale = w_scale([v[0].inv_w, v[1].inv_w, v[2].inv_w]);
         let corner = |i: usize| {
-            let mut corner = prepared.textured(v[i], bound, scale);
-            if is_extended {
-                corner.extra = prepared.texture_extra(v[i]);
-            }
+            let mut vertex = prepared.textured(v[i], bound, scale);
             for (layer, params) in params.iter().enumerate().take(prepared.layers) {
                 let unit = prepared.layers - 1 - layer;
-                corner.vertex.tmu[unit] = prepared.layer_coordinate(layer, &params[at[i]]);
+                vertex.tmu[unit] = prepared.layer_coordinate(layer, &params[at[i]]);
             }
-            corner
+            vertex
         };
         let corners = [corner(0), corner(1), corner(2)];
+        let extras = is_extended.then(|| v.map(|v| prepared.texture_extra(v)));
         let texel_is_opaque = bound.opaque || prepared.has(texture_op::DECAL);
         let alpha_is_one = prepared.alpha_fog || v.iter().all(|v| v.a >= 1.0);
         let bright = prepared.has(texture_op::MODULATE)
@@ -83,7 +79,19 @@ impl Pen<'_> {
         };
         self.use_textures();
         self.choose(&variant);
-        self.add(corners, is_extended);
+        self.add_with(corners, extras);
+    }
+
+    /// Adds corners, with values beyond the engine's own where there are any.
+    #[inline]
+    fn add_with(&mut self, corners: [Vertex; 3], extras: Option<[VertexExtra; 3]>) {
+        match extras {
+            None => self.add(corners),
+            Some(extras) => self.add_extended(core::array::from_fn(|i| Corner {
+                vertex: corners[i],
+                extra: extras[i],
+            })),
+        }
     }
 
     /// A textured triangle while no texture is set: its diffuse colour.

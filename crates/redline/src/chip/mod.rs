@@ -1,12 +1,27 @@
 //! The chip: video memory, registers, and what commands do to them.
 
+mod area;
+mod blit;
+mod block;
+mod draw;
+mod line;
 mod memory;
+mod setup;
 mod state;
+mod target;
+mod texture;
 mod transfer;
+mod translate;
 
 pub(crate) use state::State;
 
+use fillrate_engine::Counters;
+
+use self::area::Area;
+use self::draw::Prepared;
 use self::memory::VideoMemory;
+use self::target::Targets;
+use self::texture::TextureCache;
 use crate::config::RedlineConfig;
 use crate::opcode::Opcode;
 use crate::stream::{Command, Commands};
@@ -27,7 +42,11 @@ pub(crate) struct Scanout {
 pub(crate) struct VeriteChip {
     config: RedlineConfig,
     memory: VideoMemory,
+    targets: Targets,
+    textures: TextureCache,
     state: State,
+    /// The state in the engine's terms.
+    prepared: Option<Prepared>,
     /// What is shown.
     pub scanout: Scanout,
 }
@@ -41,7 +60,10 @@ impl VeriteChip {
         Ok(VeriteChip {
             config: config.clone(),
             memory: VideoMemory::new(config.memory_bytes()),
+            targets: Targets::new(&config.device)?,
+            textures: TextureCache::default(),
             state: State::default(),
+            prepared: None,
             scanout: Scanout::default(),
         })
     }
@@ -55,17 +77,32 @@ impl VeriteChip {
 
     fn command(&mut self, command: Command<'_>) {
         match command {
-            Command::State { register, mask, value } => self.state.set(register, mask, value),
-            Command::CurrentTexture(words) => self.state.set_texture(words),
-            Command::TexturePalette(words) => self.state.set_palette(words),
-            Command::Draw { .. } => {}
-            Command::Other { opcode, words, .. } => self.other(opcode, words),
+            Command::State { register, mask, value } => {
+                if self.state.set(register, mask, value) {
+                    self.invalidate();
+                }
+            }
+            Command::CurrentTexture(words) => {
+                self.state.set_texture(words);
+                self.invalidate();
+            }
+            Command::TexturePalette(words) => {
+                self.state.set_palette(words);
+                self.invalidate();
+            }
+            Command::Draw { opcode, vertex, head, vertices } => {
+                self.draw(opcode, vertex, head, vertices);
+            }
+            Command::Other { opcode, flags, words } => self.other(opcode, flags, words),
         }
     }
 
-    fn other(&mut self, opcode: Opcode, words: &[u32]) {
+    fn other(&mut self, opcode: Opcode, flags: u32, words: &[u32]) {
         match opcode {
-            Opcode::ContextInit => self.state = State::default(),
+            Opcode::ContextInit => {
+                self.state = State::default();
+                self.invalidate();
+            }
             Opcode::Display => (self.scanout.base, self.scanout.odd) = (words[0], None),
             Opcode::StereoDisplay => {
                 (self.scanout.base, self.scanout.odd) = (words[1], Some(words[0]));
@@ -74,17 +111,42 @@ impl VeriteChip {
             Opcode::MemWriteRect => self.mem_write_rect(words),
             Opcode::MemClearRect => self.mem_clear_rect(words),
             Opcode::MemWriteSprite => self.mem_write_sprite(words),
+            Opcode::IntLine => self.int_line(flags & 1 != 0, words[0], words[1]),
+            Opcode::IntPolyline => self.int_polyline(flags & 1 != 0, &words[1..]),
+            Opcode::TriFill => self.triangle_fill(words),
+            Opcode::Affine => self.affine(words),
+            Opcode::Warp => self.warp(words),
+            Opcode::Particles => self.particles(words),
+            Opcode::Bitblt => self.bitblt(words),
+            Opcode::Bitfill => self.bitfill(words),
+            Opcode::BitbltMem => self.bitblt_mem(words),
+            Opcode::Lookup => self.lookup(words),
+            Opcode::CompositeRect => self.composite_rect(words),
+            Opcode::FtriKxyz
+            | Opcode::FtriKxyzuvq
+            | Opcode::FtriKfxyzuvq
+            | Opcode::FtriKsxyz
+            | Opcode::FtriKsxyzuvq => self.fast_triangle(opcode, words),
+            // The display switches at once, and nobody reads timers, markers or
+            // a palette that a 16-bit display does not use.
             _ => {}
         }
     }
 
     /// Rows of bytes, as they are now; bytes beyond the memory are 0.
     pub fn read_rows(&mut self, base: u32, pitch: u32, row: u32, rows: u32) -> Vec<u8> {
+        self.targets.sync(&mut self.memory, &Area { base, pitch, row, rows });
         self.memory.read_rows(base, pitch, row, rows)
     }
 
     /// Bytes to an address; those beyond the memory are dropped.
     pub fn write_bytes(&mut self, address: u32, bytes: &[u8]) {
-        self.memory.write(address, bytes);
+        self.targets.write(&mut self.memory, address, bytes);
+        self.invalidate();
+    }
+
+    /// What was drawn so far.
+    pub fn counters(&mut self) -> Counters {
+        self.targets.counters()
     }
 }

@@ -68,19 +68,24 @@ impl State {
         self.get(register) != 0
     }
 
-    /// Loads a register, or the bits of `mask` where that is not 0. The
-    /// foreground colour also loads the default colour and alpha.
-    pub fn set(&mut self, register: Register, mask: u32, value: u32) {
+    /// Loads a register, or the bits of `mask` where that is not 0; says whether
+    /// that changed it. The foreground colour also loads the default colour and
+    /// alpha.
+    pub fn set(&mut self, register: Register, mask: u32, value: u32) -> bool {
         let old = &mut self.registers[register.index()];
-        *old = if mask == 0 { value } else { *old & !mask | value & mask };
+        let new = if mask == 0 { value } else { *old & !mask | value & mask };
+        let changed = *old != new;
+        *old = new;
         if register == Register::FgColorArgb {
-            let color = *old;
+            let color = new;
             let channels =
                 [(Register::A, 24), (Register::R, 16), (Register::G, 8), (Register::B, 0)];
             for (channel, shift) in channels {
                 self.registers[channel.index()] = (color >> shift & 0xff) << 16;
             }
+            return true;
         }
+        changed
     }
 
     /// Loads base, stride code, masks and multipliers of the source.

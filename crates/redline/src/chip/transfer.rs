@@ -3,6 +3,7 @@
 //! Source: RR, memory commands.
 
 use super::VeriteChip;
+use super::area::Area;
 
 /// The bytes of words, the low byte first.
 pub(super) fn bytes_of(words: &[u32]) -> Vec<u8> {
@@ -34,17 +35,30 @@ impl VeriteChip {
     pub(super) fn mem_clear_rect(&mut self, words: &[u32]) {
         let [base, pitch, row, rows, value] = [words[0], words[1], words[2], words[3], words[4]];
         let row = row.min(self.memory.len());
-        let mut line = Vec::with_capacity(row as usize + 3);
-        while line.len() < row as usize {
-            line.extend_from_slice(&value.to_le_bytes());
-        }
-        // Rows beyond the memory cannot be written, however many there are. Of
-        // rows that overlap, the next one covers all but the first bytes.
+        // Rows beyond the memory cannot be written, however many there are.
         let room = self.memory.len().saturating_sub(base);
         let rows = if pitch == 0 { rows.min(1) } else { rows.min(room.div_ceil(pitch)) };
-        for y in 0..rows {
-            let count = if y + 1 == rows { row } else { row.min(pitch) };
-            self.write_bytes(base + y * pitch, &line[..count as usize]);
+        self.fill(&Area { base, pitch, row, rows }, value);
+    }
+
+    /// Fills rows with a word's bytes: through the engine where they are part of
+    /// what it draws into.
+    pub(super) fn fill(&mut self, area: &Area, value: u32) {
+        if area.is_empty() {
+            return;
+        }
+        if self.targets.clear(area, value) {
+            return;
+        }
+        let mut line = Vec::with_capacity(area.row as usize + 3);
+        while line.len() < area.row as usize {
+            line.extend_from_slice(&value.to_le_bytes());
+        }
+        for y in 0..area.rows {
+            // Of rows that overlap, the next one covers all but the first bytes.
+            let last = y + 1 == area.rows;
+            let count = if last { area.row } else { area.row.min(area.pitch) };
+            self.write_bytes(area.base + y * area.pitch, &line[..count as usize]);
         }
     }
 

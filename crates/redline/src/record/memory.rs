@@ -172,7 +172,7 @@ fn write_rect<S: CommandSink + ?Sized>(
     if data_linebytes == row_words * 4 || height <= 1 {
         return put_with_data(sink, routine, &head(height), data, words);
     }
-    if data_linebytes % 4 != 0 {
+    if !data_linebytes.is_multiple_of(4) {
         return Err(invalid(routine));
     }
     if words > crate::command::MAX_BLOCK_WORDS {

@@ -8,7 +8,7 @@
 
 mod draw;
 mod install;
-mod memory;
+pub(crate) mod memory;
 mod state;
 
 pub use draw::*;

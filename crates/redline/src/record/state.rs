@@ -193,11 +193,7 @@ fn chroma<S: CommandSink + ?Sized>(
 ) -> Result<()> {
     let bad = crate::Failure::vl(routine, crate::VlError::BadPixFmt);
     let format = PixFmt::from_code(pixel_fmt).ok_or(bad)?;
-    let mask = match format.palette_entry() {
-        Some(entry) => entry.full_mask(),
-        None => format.full_mask(),
-    };
-    set(sink, routine, register, value & mask)
+    set(sink, routine, register, value & format.full_mask())
 }
 
 /// `VL_SetCurrentTexture`: base and stride code of the source, masks and

@@ -1,1 +1,4 @@
 //! Tests of RRedline through its Rust interface and its call border.
+
+mod board;
+mod htri;

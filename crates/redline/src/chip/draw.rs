@@ -1,0 +1,427 @@
+//! Drawing: the state in the engine's terms, and primitives of triangles.
+//!
+//! Source: RR, primitives.
+
+use std::sync::Arc;
+
+use fillrate_engine::Texture;
+use fillrate_engine::state::{DrawState, Filter, MAX_TMUS, Rect};
+
+use super::VeriteChip;
+use super::setup::{self, Attributes, Corner};
+use super::target::{Kind, MAX_SIDE, Place};
+use super::texture::Binding;
+use super::translate::{self, SourceFunction};
+use crate::opcode::{Opcode, Register};
+use crate::vertex::{KFXYZUVQ, KSXYZ, KXYZUVQ, Layout, VertexType};
+
+/// Which of a state's pipelines a primitive needs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Mode {
+    /// The iterated colour.
+    Flat,
+    /// The source function; texture coordinates are linear on the screen.
+    Affine,
+    /// The source function with perspective.
+    Perspective,
+    /// Whatever `Flat` or `Affine` would be, alpha times iterated alpha, blended.
+    Coverage {
+        /// With the source function.
+        textured: bool,
+        /// With perspective.
+        perspective: bool,
+    },
+    /// As the others, without the pattern.
+    Plain {
+        /// With the source function.
+        textured: bool,
+        /// With perspective.
+        perspective: bool,
+    },
+}
+
+impl Mode {
+    fn textured(self) -> bool {
+        match self {
+            Mode::Flat => false,
+            Mode::Affine | Mode::Perspective => true,
+            Mode::Coverage { textured, .. } | Mode::Plain { textured, .. } => textured,
+        }
+    }
+
+    fn perspective(self) -> bool {
+        match self {
+            Mode::Flat | Mode::Affine => false,
+            Mode::Perspective => true,
+            Mode::Coverage { perspective, .. } | Mode::Plain { perspective, .. } => perspective,
+        }
+    }
+}
+
+/// The registers in the engine's terms, worked out when something is drawn
+/// after they changed.
+#[derive(Debug)]
+pub(super) struct Prepared {
+    /// Without source function and texture.
+    pub base: DrawState,
+    pub function: SourceFunction,
+    pub attributes: Attributes,
+    pub scissor: Rect,
+    pub binding: Option<Binding>,
+    /// The decoded source, once something needed it, and what of it.
+    texture: Option<(Binding, Option<Arc<Texture>>)>,
+    /// What the engine's state is set to.
+    mode: Option<Mode>,
+    pub depth: bool,
+}
+
+impl VeriteChip {
+    /// The registers have changed, or bytes that a texture may come from.
+    pub(super) fn invalidate(&mut self) {
+        self.prepared = None;
+    }
+
+    /// The destination's place and size; `None` where nothing can be drawn.
+    pub(super) fn destination(&self) -> Option<(Place, (u32, u32))> {
+        let state = &self.state;
+        let format = state.destination_format()?;
+        let kind = Kind::Color { format, bgr: state.is_set(Register::DstBgr) };
+        let pitch = self.config.chip.linebytes(state.get(Register::DstStride));
+        let place = Place { base: state.get(Register::DstBase), pitch, kind };
+        let [_, right, _, bottom] = state.scissor();
+        let width = right.min(place.columns()).min(MAX_SIDE);
+        let height = bottom.min(place.rows(width, self.memory.len())).min(MAX_SIDE);
+        (width > 0 && height > 0).then_some((place, (width, height)))
+    }
+
+    /// Chooses the target and works the state out; `None` where nothing can be
+    /// drawn.
+    pub(super) fn prepare(&mut self) -> Option<&mut Prepared> {
+        if self.prepared.is_none() {
+            let (place, size) = self.destination()?;
+            let state = &self.state;
+            let depth = translate::uses_depth(state);
+            let z_place = depth.then(|| Place {
+                base: state.get(Register::ZBase),
+                pitch: self.config.chip.linebytes(state.get(Register::ZStride)),
+                kind: Kind::Depth,
+            });
+            if !self.targets.choose(&mut self.memory, place, z_place, size) {
+                return None;
+            }
+            self.prepared = Some(self.work_out(size, depth));
+        }
+        self.prepared.as_mut()
+    }
+
+    fn work_out(&self, (width, height): (u32, u32), depth: bool) -> Prepared {
+        let state = &self.state;
+        let mut base = translate::draw_state(state, self.config.chip.has_specular());
+        let scissor = base.clip.unwrap_or_default().intersect(&Rect::new(0, 0, width, height));
+        base.clip = Some(scissor);
+        let function = SourceFunction::of(state);
+        let extended = base.shade.specular || base.fog.is_some();
+        let filtered = translate::filter(state) == Filter::Bilinear;
+        let pitch = self.config.chip.linebytes(state.get(Register::SrcStride));
+        let textured = function != SourceFunction::NoTexture;
+        let binding = if textured { Binding::new(state, pitch) } else { None };
+        let attributes = Attributes::new(state, filtered, extended);
+        let (texture, mode) = (None, None);
+        Prepared { base, function, attributes, scissor, binding, texture, mode, depth }
+    }
+
+    /// The mode of vertices of a layout.
+    pub(super) fn mode_of(&self, layout: &Layout) -> Mode {
+        let textured = self.prepared.as_ref().is_some_and(|p| p.binding.is_some());
+        match (textured, layout.word(crate::vertex::Attribute::Q).is_some()) {
+            (false, _) => Mode::Flat,
+            (true, false) => Mode::Affine,
+            (true, true) => Mode::Perspective,
+        }
+    }
+
+    /// The mode without a pattern, or with coverage, of vertices of a layout.
+    pub(super) fn stepped_mode(&self, layout: &Layout, coverage: bool) -> Mode {
+        let mode = self.mode_of(layout);
+        let (textured, perspective) = (mode.textured(), mode.perspective());
+        match coverage {
+            true => Mode::Coverage { textured, perspective },
+            false => Mode::Plain { textured, perspective },
+        }
+    }
+
+    /// Gives the engine the state of a mode. For large textures only what
+    /// `range` (first and last texel of both axes) says is decoded.
+    fn set_mode(&mut self, mode: Mode, range: Option<[[i64; 2]; 2]>) {
+        let Some(prepared) = &mut self.prepared else { return };
+        let large = mode.textured() && prepared.binding.is_some_and(|binding| binding.is_large());
+        if prepared.mode == Some(mode) && !large {
+            return;
+        }
+        let mut draw = prepared.base;
+        let mut textures = [const { None }; MAX_TMUS];
+        if let (true, Some(whole)) = (mode.textured(), prepared.binding) {
+            let binding = match range {
+                Some(range) if large => whole.narrowed(range),
+                _ => whole,
+            };
+            let decoded = prepared.texture.as_ref().filter(|(of, _)| *of == binding);
+            let texture = match decoded {
+                Some((_, texture)) => texture.clone(),
+                None => {
+                    self.targets.sync(&mut self.memory, &binding.area());
+                    self.textures.get(&self.memory, &binding)
+                }
+            };
+            draw.units[0] = Some(translate::bound_unit(&self.state, &binding, mode.perspective()));
+            textures[0] = texture.clone();
+            prepared.texture = Some((binding, texture));
+        }
+        let function = if mode.textured() { prepared.function } else { SourceFunction::NoTexture };
+        let coverage = matches!(mode, Mode::Coverage { .. });
+        translate::source(&mut draw, function, coverage);
+        if coverage {
+            draw.blend = Some(translate::coverage_blend(&self.state));
+            draw.logic_op = None;
+        }
+        if matches!(mode, Mode::Coverage { .. } | Mode::Plain { .. }) {
+            draw.pattern = None;
+        }
+        self.targets.engine.set_state(&draw, textures);
+        prepared.mode = Some(mode);
+    }
+
+    /// Draws with a state of its own; the next primitive sets its own again.
+    pub(super) fn set_special(
+        &mut self,
+        draw: &DrawState,
+        textures: [Option<Arc<Texture>>; MAX_TMUS],
+    ) {
+        self.targets.engine.set_state(draw, textures);
+        if let Some(prepared) = &mut self.prepared {
+            prepared.mode = None;
+        }
+    }
+
+    /// The texels that corners may touch, where the texture is so large that it
+    /// matters.
+    fn range(&self, mode: Mode, corners: &[Corner]) -> Option<[[i64; 2]; 2]> {
+        let binding = self.prepared.as_ref()?.binding.filter(|_| mode.textured())?;
+        if !binding.is_large() {
+            return None;
+        }
+        let texel = |corner: &Corner, axis: usize| {
+            let quotient = corner.wide[axis] / corner.wide[2];
+            if quotient.is_finite() { quotient.floor() as i64 } else { i64::MAX }
+        };
+        Some([0, 1].map(|axis| {
+            let texels = corners.iter().map(|corner| texel(corner, axis));
+            [texels.clone().min().unwrap_or(0), texels.max().unwrap_or(0)]
+                .map(|texel| texel.clamp(-1 << 20, 1 << 20))
+        }))
+    }
+
+    /// Draws a triangle of corners that were read with the whole texture.
+    pub(super) fn launch(&mut self, mode: Mode, corners: [&Corner; 3]) {
+        let bounds = setup::bounds(&corners);
+        let Some(prepared) = &self.prepared else { return };
+        let drawn = bounds.intersect(&prepared.scissor);
+        if drawn.is_empty() {
+            return;
+        }
+        let depth = prepared.depth;
+        let extended = prepared.attributes.extended;
+        let range = self.range(mode, &corners.map(|corner| *corner));
+        self.set_mode(mode, range);
+        self.targets.drawn(&drawn, depth);
+        let origin = self.origin();
+        let engine = &mut self.targets.engine;
+        match origin {
+            None => setup::launch(&corners, mode.textured(), extended, |r| engine.launch(r)),
+            Some([s, t]) => {
+                let moved = corners.map(|corner| {
+                    let mut moved = *corner;
+                    moved.wide[0] -= s * moved.wide[2];
+                    moved.wide[1] -= t * moved.wide[2];
+                    moved
+                });
+                let corners = [&moved[0], &moved[1], &moved[2]];
+                setup::launch(&corners, mode.textured(), extended, |r| engine.launch(r));
+            }
+        }
+    }
+
+    /// The first texel of a texture that is decoded in part.
+    fn origin(&self) -> Option<[f64; 2]> {
+        let (binding, _) = self.prepared.as_ref()?.texture.as_ref()?;
+        let origin = [binding.columns.origin, binding.rows.origin];
+        (origin != [0, 0]).then(|| origin.map(f64::from))
+    }
+
+    /// Draws one pixel with the values of a corner, if it is visible.
+    pub(super) fn pixel(&mut self, mode: Mode, x: i64, y: i64, values: &Corner) {
+        let Some(prepared) = &self.prepared else { return };
+        let scissor = prepared.scissor;
+        let (Ok(x), Ok(y)) = (u32::try_from(x), u32::try_from(y)) else { return };
+        if x < scissor.x0 || x >= scissor.x1 || y < scissor.y0 || y >= scissor.y1 {
+            return;
+        }
+        let (depth, extended) = (prepared.depth, prepared.attributes.extended);
+        let range = self.range(mode, std::slice::from_ref(values));
+        self.set_mode(mode, range);
+        self.targets.drawn(&Rect::new(x, y, x + 1, y + 1), depth);
+        let mut values = *values;
+        if let Some([s, t]) = self.origin() {
+            values.wide[0] -= s * values.wide[2];
+            values.wide[1] -= t * values.wide[2];
+        }
+        self.targets.engine.launch(&setup::pixel(x, y, &values, extended));
+    }
+
+    /// Draws a triangle by the words of its corners.
+    #[inline]
+    fn triangle(&mut self, layout: &'static Layout, words: [&[u32]; 3]) {
+        if self.prepare().is_none() {
+            return;
+        }
+        let mode = self.mode_of(layout);
+        let Some(prepared) = &self.prepared else { return };
+        let [a, b, c] = words.map(|words| prepared.attributes.read(layout, words, mode.textured()));
+        self.launch(mode, [&a, &b, &c]);
+    }
+
+    /// A rectangle, from its upper left and lower right corner in sixteenths,
+    /// with U and V of these corners.
+    pub(super) fn rectangle(&mut self, mode: Mode, at: [[i32; 2]; 2], uv: [[u32; 2]; 2]) {
+        let Some(prepared) = &self.prepared else { return };
+        let [[x0, y0], [x1, y1]] = at;
+        let [[u0, v0], [u1, v1]] = uv;
+        let attributes = &prepared.attributes;
+        let corner = |x, y, u, v| attributes.corner(x, y, u, v);
+        let (a, b) = (corner(x0, y0, u0, v0), corner(x1, y0, u1, v0));
+        let (c, d) = (corner(x0, y1, u0, v1), corner(x1, y1, u1, v1));
+        self.launch(mode, [&a, &b, &c]);
+        self.launch(mode, [&d, &c, &b]);
+    }
+
+    /// A primitive with vertices.
+    pub(super) fn draw(&mut self, opcode: Opcode, vertex: VertexType, head: &[u32], words: &[u32]) {
+        let layout = vertex.layout();
+        let size = vertex.words();
+        let word = |i: usize| &words[i * size..(i + 1) * size];
+        match opcode {
+            Opcode::Triangle => self.triangle(layout, [word(0), word(1), word(2)]),
+            Opcode::Tristrip => {
+                for i in 2..words.len() / size {
+                    self.triangle(layout, [word(i - 2), word(i - 1), word(i)]);
+                }
+            }
+            Opcode::Trifan => {
+                for i in 2..words.len() / size {
+                    self.triangle(layout, [word(0), word(i - 1), word(i)]);
+                }
+            }
+            Opcode::Square => self.centered(layout, words, [head[0], head[0]]),
+            Opcode::Rectangle => self.centered(layout, words, [head[0], head[1]]),
+            Opcode::Dot => self.dot(layout, words),
+            Opcode::Span => self.span(layout, word(0), word(1)),
+            Opcode::Line => self.line(layout, [word(0), word(1)]),
+            Opcode::Polyline => {
+                for i in 1..words.len() / size {
+                    self.line(layout, [word(i - 1), word(i)]);
+                }
+            }
+            Opcode::AALine => self.antialiased_line(layout, [word(0), word(1)]),
+            Opcode::AAEdge => self.antialiased_edge(layout, [word(0), word(1)]),
+            _ => {}
+        }
+    }
+
+    /// `V_FIFO_SQUARE`, `V_FIFO_RECTANGLE`: around a vertex, of which only the
+    /// place counts; the texture lies exactly on it.
+    fn centered(&mut self, layout: &Layout, words: &[u32], size: [u32; 2]) {
+        if self.prepare().is_none() {
+            return;
+        }
+        let mode = self.mode_of(&NO_Q);
+        let place = |attribute| layout.get(words, attribute).unwrap_or(0);
+        let center = [place(crate::vertex::Attribute::X), place(crate::vertex::Attribute::Y)];
+        let side = |i: usize| {
+            let (center, size) = (i64::from(center[i] as i32), i64::from(size[i] as i32).max(0));
+            let low = center - size / 2;
+            [low, low + size].map(|v| ((v + 0x800) >> 12) as i32)
+        };
+        let ([x0, x1], [y0, y1]) = (side(0), side(1));
+        self.rectangle(mode, [[x0, y0], [x1, y1]], [[0, 0], [0x1_0000, 0x1_0000]]);
+    }
+
+    /// The fast triangles, whose layouts are no vertex types.
+    pub(super) fn fast_triangle(&mut self, opcode: Opcode, words: &[u32]) {
+        let layout = match opcode {
+            Opcode::FtriKxyz => VertexType::KXYZ.layout(),
+            Opcode::FtriKxyzuvq => &KXYZUVQ,
+            Opcode::FtriKfxyzuvq => &KFXYZUVQ,
+            Opcode::FtriKsxyz => &KSXYZ,
+            _ => VertexType::KSXYZUVQ.layout(),
+        };
+        let size = words.len() / 3;
+        self.triangle(layout, [&words[..size], &words[size..2 * size], &words[2 * size..]]);
+    }
+
+    /// `V_FIFO_TRI_FILL`: the default colour, whatever the source function.
+    pub(super) fn triangle_fill(&mut self, words: &[u32]) {
+        let Some(prepared) = self.prepare() else { return };
+        let corners = [0, 2, 4].map(|i| {
+            let [x, y] = [words[i], words[i + 1]].map(setup::sixteenths);
+            prepared.attributes.corner(x, y, 0, 0)
+        });
+        self.launch(Mode::Flat, [&corners[0], &corners[1], &corners[2]]);
+    }
+
+    /// `V_FIFO_PARTICLES`: rectangles of one colour and depth.
+    pub(super) fn particles(&mut self, words: &[u32]) {
+        if self.prepare().is_none() {
+            return;
+        }
+        for record in words[1..].as_chunks::<4>().0 {
+            let [place, size, z, color] = *record;
+            let Some(prepared) = &self.prepared else { return };
+            let [x, y] = [place >> 16, place & 0xffff].map(|v| i32::from(v as u16 as i16) * 16);
+            let [width, height] = [size >> 16, size & 0xffff].map(|v| v as i32 * 16);
+            let layout = VertexType::KXYZ.layout();
+            let corner = |x: i32, y: i32| {
+                let words = [color, (x << 12) as u32, (y << 12) as u32, z];
+                Corner { x, y, ..prepared.attributes.read(layout, &words, false) }
+            };
+            let (a, b) = (corner(x, y), corner(x + width, y));
+            let (c, d) = (corner(x, y + height), corner(x + width, y + height));
+            self.launch(Mode::Flat, [&a, &b, &c]);
+            self.launch(Mode::Flat, [&d, &c, &b]);
+        }
+    }
+
+    /// `V_FIFO_AFFINE`: a rectangle with given steps of U and V, times 2^8.
+    pub(super) fn affine(&mut self, words: &[u32]) {
+        let Some(prepared) = self.prepare() else { return };
+        let [ulx, uly, ulu, ulv, width, height] = [0, 1, 2, 3, 4, 5].map(|i| words[i] as i32);
+        let step = [6, 7, 8, 9].map(|i| f64::from(words[i] as i32) / 256.0);
+        let attributes = prepared.attributes;
+        let [x, y] = [ulx, uly].map(|v| setup::sixteenths(v as u32));
+        let [right, down] = [width, height].map(|v| i64::from(v.max(0)));
+        let [x1, y1] =
+            [i64::from(ulx) + right, i64::from(uly) + down].map(|v| ((v + 0x800) >> 12) as i32);
+        let corner = |x1: i32, y1: i32| {
+            let (columns, rows) = (f64::from(x1 - x) / 16.0, f64::from(y1 - y) / 16.0);
+            let u = f64::from(ulu) + step[0] * columns + step[2] * rows;
+            let v = f64::from(ulv) + step[1] * columns + step[3] * rows;
+            attributes.corner(x1, y1, u as i32 as u32, v as i32 as u32)
+        };
+        let (a, b, c, d) = (corner(x, y), corner(x1, y), corner(x, y1), corner(x1, y1));
+        let mode = self.mode_of(&NO_Q);
+        self.launch(mode, [&a, &b, &c]);
+        self.launch(mode, [&d, &c, &b]);
+    }
+}
+
+/// A layout without anything, Q least of all.
+pub(super) static NO_Q: Layout = Layout::EMPTY;
