@@ -540,7 +540,7 @@ int main(void)
     values_6();
     values_7();
     values_ati();
-    CHECK(kQAMaxWidth == 128.0);
+    VALUE(kQAMaxWidth, 128);
     VALUE(QACalculatePriorityBits(3), 0x30000000u);
     VALUE(QACalculatePriorityBits(15), kQATexture_PriorityBits);
     return CHECK_REPORT();

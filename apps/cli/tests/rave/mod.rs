@@ -33,7 +33,7 @@ fn program(file: &Path, folder: &Path) -> Command {
 
 /// Runs a program, recorded; returns what it printed and its last frame.
 fn draw(mut command: Command, folder: &Path) -> (Output, Frame) {
-    let frames = folder.join("frames");
+    let frames = folder.join("shown");
     let _ = std::fs::remove_dir_all(&frames);
     command.env("FILLRATE_CAPTURE", &frames).env("FILLRATE_TRACE", folder.join("trace"));
     let output = run(&mut command);
