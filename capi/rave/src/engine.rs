@@ -75,10 +75,9 @@ macro_rules! methods {
                 if method.is_null() {
                     return $($missing)?;
                 }
-                // SAFETY: the engine handed this function out under the tag of
-                // this signature.
-                let method: unsafe extern "C" fn($($type),*) $(-> $result)? =
-                    unsafe { std::mem::transmute(method) };
+                type Signature = unsafe extern "C" fn($($type),*) $(-> $result)?;
+                // SAFETY: the engine handed it out under the tag of this signature.
+                let method: Signature = unsafe { std::mem::transmute(method) };
                 // SAFETY: the caller's promise.
                 with_ref_con(self.ref_con, || unsafe { method($($arg),*) })
             }

@@ -31,9 +31,10 @@ macro_rules! exports {
             context: *const RawDrawContext, $($arg: $type),*
         ) $(-> $result)? {
             let Some(method) = method(context, $slot) else { return $($missing)? };
+            type Signature =
+                unsafe extern "C" fn(*const RawDrawContext, $($type),*) $(-> $result)?;
             // SAFETY: registered for the tag of this signature.
-            let method: unsafe extern "C" fn(*const RawDrawContext, $($type),*) $(-> $result)? =
-                unsafe { std::mem::transmute(method) };
+            let method: Signature = unsafe { std::mem::transmute(method) };
             // SAFETY: the caller's promise.
             unsafe { method(context, $($arg),*) }
         }

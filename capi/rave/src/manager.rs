@@ -138,9 +138,10 @@ unsafe fn engines_for(device: *const RawDevice) -> Vec<u32> {
             Who::BuiltIn => session().built_in_number(question),
             Who::Program(engine) => engine.number(question),
         };
-        let is_bound = ask(selector::OPTIONAL_FEATURES) & optional::BOUND_TO_DEVICE != 0;
+        let binds = ask(selector::OPTIONAL_FEATURES) & optional::BOUND_TO_DEVICE != 0;
+        let comes_later = device.is_null() || !binds;
         let fast = ask(selector::FAST_FEATURES).count_ones();
-        found.push((!(is_bound && !device.is_null()), 32 - fast, number));
+        found.push((comes_later, 32 - fast, number));
     }
     found.sort_unstable();
     found.into_iter().map(|(_, _, number)| number).collect()
