@@ -3,9 +3,9 @@
  * common.h: what the RAVE programs share: a screen in memory, an engine chosen
  * by what it can do, textures from formulas, and a program's half of 3D.
  *
- *     cc -Iinclude examples/rave/gouraud.c -o gouraud -lrave -lm
- *     ./gouraud          draws the usual number of frames
- *     ./gouraud -n 100   draws 100
+ *     cc -Iinclude examples/rave/triangle.c -o triangle -lrave -lm
+ *     ./triangle          draws the usual number of frames
+ *     ./triangle -n 100   draws 100
  *
  * Angles are whole turns, and sines are our own, so that every machine draws
  * the same frames.

@@ -5,6 +5,7 @@ mod bytes;
 mod calls;
 mod quark;
 mod rave;
+mod redline;
 mod streams;
 mod textures;
 
@@ -15,6 +16,7 @@ pub use bytes::Bytes;
 pub use calls::any_call;
 pub use quark::{any_quark_call, run_quark};
 pub use rave::{any_rave_call, run_rave};
+pub use redline::{any_redline_call, any_redline_words, run_redline_calls, run_redline_words};
 pub use streams::{Left, context, run_stream};
 pub use textures::{run_file, run_texture};
 
@@ -33,12 +35,26 @@ pub enum Target {
     Quark,
     /// Streams of RAVE's calls.
     Rave,
+    /// Streams of RRedline's words.
+    RedlineWords,
+    /// Streams of RRedline's calls.
+    RedlineCalls,
+    /// Words, records and calls of Raw, to its renderers and its simulator.
+    Raw,
 }
 
 impl Target {
     /// All of them.
-    pub const ALL: [Target; 5] =
-        [Target::Calls, Target::Textures, Target::Files, Target::Quark, Target::Rave];
+    pub const ALL: [Target; 8] = [
+        Target::Calls,
+        Target::Textures,
+        Target::Files,
+        Target::Quark,
+        Target::Rave,
+        Target::RedlineWords,
+        Target::RedlineCalls,
+        Target::Raw,
+    ];
 
     /// The name on command lines.
     pub fn name(self) -> &'static str {
@@ -48,6 +64,17 @@ impl Target {
             Target::Files => "files",
             Target::Quark => "quark",
             Target::Rave => "rave",
+            Target::RedlineWords => "redline-words",
+            Target::RedlineCalls => "redline-calls",
+            Target::Raw => "raw",
+        }
+    }
+
+    /// The input of a seed: up to 4 KiB.
+    pub fn input(self, seed: u64) -> Vec<u8> {
+        match self {
+            Target::Raw => fillrate_raw::hostile::stream(seed),
+            _ => input(seed),
         }
     }
 }
@@ -82,6 +109,9 @@ impl Fuzzer {
             Target::Files => run_file(bytes),
             Target::Quark => drop(run_quark(bytes, 1)),
             Target::Rave => drop(run_rave(bytes, 1)),
+            Target::RedlineWords => drop(run_redline_words(bytes, 1)),
+            Target::RedlineCalls => drop(run_redline_calls(bytes, 1)),
+            Target::Raw => fillrate_raw::hostile::feed(bytes),
         }
     }
 }

@@ -66,6 +66,7 @@ impl<S: Simd> DepthLanes<S> for Deep {
 }
 
 /// The depths of a stamp whose iterators are too large for floats.
+#[inline(always)]
 fn exact_stamp(plane: &Plane64, by_w: bool, at: &Slot, out: &mut [i32; STAMP]) {
     for (i, out) in out.iter_mut().enumerate() {
         let value = plane.at(at.x + (i & 3) as i32, at.y + (i >> 2) as i32);
@@ -166,8 +167,10 @@ fn test_depth<S: Simd, D: DepthLanes<S>>(
             let place = at.at as usize + j;
             let mut passed = s.mask((before >> k) as u32);
             if let Some(op) = test.test {
-                let constant = test.constant.filter(|_| !deep);
-                let compared = constant.map_or(value, |constant| s.splat(constant));
+                let compared = match test.constant {
+                    Some(constant) if !deep => s.splat(constant),
+                    _ => value,
+                };
                 // Planes hold unsigned numbers, and lanes compare signed ones.
                 let sign = s.splat(i32::MIN);
                 let stored = tile.load_aux(s, place);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT OR Apache-2.0
  *
- * gouraud.c: the shortest RAVE program: one triangle with a colour at each
+ * triangle.c: the shortest RAVE program: one triangle with a colour at each
  * corner, in a double-buffered context of 16-bit pixels. Behind it turns a
  * dimmer one: a z buffer decides who is in front.
  */
