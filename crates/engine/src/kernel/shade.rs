@@ -39,8 +39,7 @@ pub(super) fn extra_colors<S: Simd>(
 /// The fog factor of fragments `j..` of a stamp, in both halves.
 #[inline(always)]
 pub(super) fn fog_factor<S: Simd>(s: S, pass: &Pass<'_>, at: &Slot, j: usize) -> S::I {
-    let units = pass.pipeline.unit_count;
-    let [.., part] = pass.triangles.extra_color(pass.triangle(at), units, SPECULAR);
+    let [.., part] = pass.triangles.extra_color(pass.triangle(at), SPECULAR);
     let whole = iterate_low(s, &part, places(s, at.x, at.y, j)).shr(20);
     let factor = wrap::<S, 12, 8>(s, whole);
     factor | factor.shl(16)

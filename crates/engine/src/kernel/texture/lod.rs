@@ -8,7 +8,7 @@
 use super::UnitPlan;
 use crate::kernel::block::{STAMP, Slot};
 use crate::log2::{log2_8, log2_8_int, smallest_with_log2_8};
-use crate::setup::PlaneF;
+use crate::setup::{Plane64, PlaneF};
 use crate::state::DITHER_4X4;
 
 /// Level of detail at w = 1, of planes with 32 fraction bits; far below any
