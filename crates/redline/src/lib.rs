@@ -35,6 +35,7 @@
 
 pub mod board;
 pub mod command;
+pub mod cost;
 pub mod error;
 pub mod format;
 pub mod lock;

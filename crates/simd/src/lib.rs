@@ -4,7 +4,8 @@
 //! vectors, each holding a pair of 16-bit channels in every lane: (red, blue)
 //! and (green, alpha), the first of a pair in the low half. Coordinates that
 //! need more than 32 bits are `f64` lanes holding integers below 2^53, which
-//! is exact on every machine.
+//! is exact on every machine. Where a source computes in single precision,
+//! there are `f32` lanes.
 //!
 //! An algorithm is written once, generic over [`Simd`], and entered through
 //! [`Level::dispatch`] or [`Simd::vectorize`]. Every level gives the same
@@ -31,7 +32,7 @@ mod wasm;
 mod x86;
 
 pub use crew::Crew;
-pub use lanes::{FloatLanes, IntLanes, Kernel, MaskLanes, Simd};
+pub use lanes::{FloatLanes, IntLanes, Kernel, MaskLanes, Simd, SingleLanes};
 pub use level::{Level, UnknownLevel};
 pub use scalar::Scalar;
 

@@ -40,6 +40,9 @@ impl Device {
         if self.arena.palettes.len() > KEPT_STATES {
             self.arena.palettes.clear();
         }
+        if self.arena.raws.len() > KEPT_STATES {
+            self.arena.raws.clear();
+        }
     }
 
     /// Takes the target's surfaces out of their places while they are drawn.

@@ -5,6 +5,7 @@ pub(crate) mod arena;
 mod access;
 mod flush;
 mod palette;
+mod raw;
 
 use std::sync::Arc;
 

@@ -55,9 +55,11 @@ fn unpack<S: Simd>(s: S, format: PixelFormat, p: S::I) -> [S::I; 2] {
             let white = s.splat(0x00ff_00ff);
             [white, join(s, white, p.shl(16) & white)]
         }
-        PixelFormat::Argb8888 | PixelFormat::Palette | PixelFormat::Aux16 | PixelFormat::Aux32 => {
-            unpack_bytes(s, p)
-        }
+        PixelFormat::Argb8888
+        | PixelFormat::Palette
+        | PixelFormat::Rgbx8888
+        | PixelFormat::Aux16
+        | PixelFormat::Aux32 => unpack_bytes(s, p),
     }
 }
 
@@ -125,7 +127,11 @@ pub(super) fn pack<S: Simd>(
             (sum + s.splat(128)).shr(8)
         }
         PixelFormat::Alpha8 => alpha,
-        PixelFormat::Argb8888 | PixelFormat::Palette | PixelFormat::Aux16 | PixelFormat::Aux32 => {
+        PixelFormat::Argb8888
+        | PixelFormat::Palette
+        | PixelFormat::Rgbx8888
+        | PixelFormat::Aux16
+        | PixelFormat::Aux32 => {
             alpha.shl(24) | (rb & s.splat(0xff)).shl(16) | (ga & s.splat(0xff)).shl(8) | rb.shr(16)
         }
     }

@@ -6,6 +6,7 @@ use super::coverage::{FULL, TileCoverage, clip_strip, rect_mask};
 use super::depth_range::{depth_range, hides_nothing, is_hidden, update_bounds};
 use super::palette::{PaletteTile, draw_shape};
 use super::queue::Queue;
+use super::raw::{RawScratch, RawTile, draw_raw};
 use super::small::{Small, is_small};
 use crate::bins::{Chunk, Entry, Grid};
 use crate::device::arena::{Arena, BatchState, Clear, Pixel, Run};
@@ -37,6 +38,7 @@ pub(crate) struct TilePainter<'a, S: Simd> {
     strip: Option<StripFn<S>>,
     /// The state that `list` and `strip` belong to.
     current: Option<Current<'a>>,
+    raw: RawScratch,
 }
 
 /// A draw state in use.
@@ -116,6 +118,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             list: StageList::new(),
             strip: None,
             current: None,
+            raw: RawScratch::new(),
         }
     }
 
@@ -142,6 +145,10 @@ impl<'a, S: Simd> TilePainter<'a, S> {
                     Entry::Shape(i) => {
                         self.finish(&chunk.triangles, &mut target);
                         self.shape(&chunk.shapes[i as usize], &mut target);
+                    }
+                    Entry::Raw(i) => {
+                        self.finish(&chunk.triangles, &mut target);
+                        self.raw(chunk, i, &mut target);
                     }
                     Entry::Clear(i) => {
                         self.finish(&chunk.triangles, &mut target);
@@ -439,6 +446,21 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             counters: &mut self.counters,
         };
         draw_shape(self.s, &self.arena.palettes[shape.state as usize], shape, tile);
+    }
+
+    /// Draws a shape of the Raw profile.
+    #[inline(always)]
+    fn raw(&mut self, chunk: &Chunk, index: u32, target: &mut Target<'_>) {
+        let shape = &chunk.raws[index as usize];
+        let tile = RawTile {
+            rect: target.rect,
+            bits: self.grid.bits,
+            color: &mut *target.color,
+            depth: target.aux.as_deref_mut(),
+            counters: &mut self.counters,
+        };
+        let draw = &self.arena.raws[shape.state as usize];
+        draw_raw(self.s, draw, shape, &chunk.raw_rows, tile, &mut self.raw);
     }
 
     /// Fills a part of the tile, or all of it later.

@@ -4,6 +4,7 @@ mod extra;
 mod launch;
 mod palette;
 mod planes;
+mod raw;
 mod registers;
 mod sst1;
 mod vertex;
@@ -16,6 +17,8 @@ pub use planes::MAX_SCALE;
 pub(crate) use planes::{
     Edge, Narrow, Plane64, Screen, Triangle, Triangles, prepare, prepare_extra,
 };
+pub(crate) use raw::{ATTRIBUTES, RawShape, Slots, Steps, Values, Walk, prepare_raw, side_range};
+pub use raw::{RawPrimitive, RawVertex};
 pub use registers::{Param, Registers, WideParam};
 pub use sst1::{Cull, Outcome, extended_triangle, triangle};
 pub(crate) use sst1::{Fate, set_up};

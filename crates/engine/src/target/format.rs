@@ -29,6 +29,9 @@ pub enum PixelFormat {
     /// Colour, 16 bits, of a palette: base colour 7..0, intensity 12..8. Only
     /// the Quark profile draws into it; a clear takes the element as colour.
     Palette,
+    /// Colour, 32 bits: 0xRRGGBBxx. Only the Raw profile draws into it; a
+    /// clear takes the element as colour.
+    Rgbx8888,
     /// Aux, 16 bits: depth (z or pseudo-float w), or alpha in the low byte.
     Aux16,
     /// Aux, 32 bits: depth of any source.
@@ -39,7 +42,10 @@ impl PixelFormat {
     /// Bytes of one element.
     pub fn bytes(self) -> usize {
         match self {
-            PixelFormat::Argb8888 | PixelFormat::Xrgb8888 | PixelFormat::Aux32 => 4,
+            PixelFormat::Argb8888
+            | PixelFormat::Xrgb8888
+            | PixelFormat::Rgbx8888
+            | PixelFormat::Aux32 => 4,
             _ => 2,
         }
     }
@@ -65,6 +71,7 @@ impl PixelFormat {
             PixelFormat::Rgb565
                 | PixelFormat::Xrgb1555
                 | PixelFormat::Xrgb8888
+                | PixelFormat::Rgbx8888
                 | PixelFormat::Rgb332
                 | PixelFormat::Gray8
         )
@@ -76,6 +83,7 @@ impl PixelFormat {
             self,
             PixelFormat::Argb8888
                 | PixelFormat::Xrgb8888
+                | PixelFormat::Rgbx8888
                 | PixelFormat::Gray8
                 | PixelFormat::Alpha8
         )
