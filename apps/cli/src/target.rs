@@ -8,6 +8,7 @@ use fillrate_player::{Frame, Pixels, Target, TargetError};
 use fillrate_quark as quark;
 use fillrate_rave as rave;
 use fillrate_raw as raw;
+use fillrate_redline as redline;
 use fillrate_trace::Meta;
 use fillrate_trace::meta::CONFIG_PREFIX;
 
@@ -30,6 +31,7 @@ impl Target for AnyTarget {
             None | Some("glide2x") => Box::new(GlideTarget::start(meta, &self.device)?),
             Some("raw") => Box::new(RawTarget::start(meta, &self.device)?),
             Some("quark3d") => Box::new(QuarkTarget(quark::Context::new(self.device.clone()))),
+            Some("redline") => Box::new(RedlineTarget::start(meta, &self.device)),
             Some("rave") => Box::new(RaveTarget::start(meta, &self.device)?),
             Some(api) => {
                 return Err(format!("the trace holds calls of {api}, which is unknown").into());
@@ -154,11 +156,8 @@ struct RaveTarget(rave::Context);
 
 impl RaveTarget {
     fn start(meta: &Meta, device: &DeviceConfig) -> Result<RaveTarget, TargetError> {
-        let memory = meta.get("texture-memory").map(str::parse).transpose()?;
-        let mut config = rave::RaveConfig { device: device.clone(), ..Default::default() };
-        if let Some(bytes) = memory {
-            config.memory.video_bytes = bytes;
-        }
+        let mut config = rave::RaveConfig { device: device.clone(), ..rave::RaveConfig::default() };
+        config.describe(|key| meta.get(key))?;
         Ok(RaveTarget(rave::Context::new(config)))
     }
 }
@@ -179,5 +178,39 @@ impl Target for RaveTarget {
     fn frame(&mut self) -> Option<Frame> {
         let shown = self.0.shown()?;
         Frame::new(shown.width, shown.height, Pixels::Rgba8(shown.rgba8888())).ok()
+    }
+}
+
+/// Executes recorded calls of RRedline.
+struct RedlineTarget(redline::Context);
+
+impl RedlineTarget {
+    fn start(meta: &Meta, device: &DeviceConfig) -> RedlineTarget {
+        let pairs = meta.iter().filter_map(|(key, value)| {
+            Some((key.strip_prefix(CONFIG_PREFIX)?.to_string(), value.to_string()))
+        });
+        let config = redline::RedlineConfig::from_description(pairs);
+        let device = device.clone();
+        RedlineTarget(redline::Context::new(redline::RedlineConfig { device, ..config }))
+    }
+}
+
+impl Target for RedlineTarget {
+    fn start(&mut self, _meta: &Meta) -> Result<(), TargetError> {
+        Ok(())
+    }
+
+    fn execute(&mut self, call: &[u8], blobs: &dyn BlobSource) -> Result<(), TargetError> {
+        let mut decoder = Decoder::with_blobs(call, blobs);
+        let call: redline::Call = decoder.value()?;
+        decoder.finish()?;
+        // A call that failed when it was recorded fails again.
+        let _ = self.0.execute(&call);
+        Ok(())
+    }
+
+    fn frame(&mut self) -> Option<Frame> {
+        let shown = self.0.shown()?;
+        Frame::new(shown.width, shown.height, Pixels::Rgb565(shown.pixels)).ok()
     }
 }

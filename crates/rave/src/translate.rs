@@ -60,6 +60,8 @@ pub(crate) struct Variant {
     /// A diffuse colour is above 1.
     pub bright: bool,
     pub fog: FogSource,
+    /// Fragments may get a z outside its range, by rounding or at the edges.
+    pub z_overflows: bool,
     pub pattern: PatternUse,
 }
 
@@ -113,7 +115,7 @@ pub(crate) fn draw_state(
     let (color_combine, alpha_combine, shade) = combine(state, variant);
     DrawState {
         clip: scissor(state, at.size),
-        depth: depth(state, at.plane),
+        depth: depth(state, at.plane, variant.z_overflows),
         aux_write: if writes_depth(state, at.plane) { AuxWrite::Depth } else { AuxWrite::Nothing },
         units: units(state, at, variant),
         color_combine,
@@ -173,7 +175,7 @@ fn compare_function(number: u32, plane: Plane) -> Option<Compare> {
     })
 }
 
-fn depth(state: &State, plane: Plane) -> DepthState {
+fn depth(state: &State, plane: Plane, overflows: bool) -> DepthState {
     let source = match plane {
         Plane::None | Plane::Z16 => DepthSource::Z,
         Plane::Deep => DepthSource::DeepZ,
@@ -183,7 +185,9 @@ fn depth(state: &State, plane: Plane) -> DepthState {
         Plane::None => None,
         _ => compare_function(state.int(int::Z_FUNCTION), plane),
     };
-    DepthState { source, test, z_overflow: ZOverflow::Clamp, ..DepthState::default() }
+    // Where nothing overflows, the chip's own rule is the same and faster.
+    let z_overflow = if overflows { ZOverflow::Clamp } else { ZOverflow::Wrap };
+    DepthState { source, test, z_overflow, ..DepthState::default() }
 }
 
 fn writes_depth(state: &State, plane: Plane) -> bool {
@@ -195,7 +199,9 @@ fn writes_depth(state: &State, plane: Plane) -> bool {
 fn alpha_test(state: &State) -> Option<AlphaTest> {
     let function = state.int(int::ALPHA_TEST_FUNC);
     let compare = compare_function(function, Plane::None)?;
-    let reference = unit_byte(state.float(float::ALPHA_TEST_REF)) as u8;
+    // As a vertex's alpha becomes a fragment's, so that equal ones are equal.
+    let reference = state.float(float::ALPHA_TEST_REF).clamp(0.0, 1.0) * 255.0;
+    let reference = ((reference * 4096.0 + 0.5) as u32 >> 12) as u8;
     (compare != Compare::Always).then_some(AlphaTest { compare, reference })
 }
 

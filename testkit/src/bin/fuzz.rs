@@ -24,7 +24,8 @@ fn main() {
     let mut arguments = std::env::args().skip(1);
     let name = arguments.next().unwrap_or_default();
     let Some(target) = Target::ALL.into_iter().find(|target| target.name() == name) else {
-        eprintln!("usage: fuzz calls|textures|files|quark|raw [EXECUTIONS] [FIRST SEED]");
+        let names = Target::ALL.map(Target::name).join("|");
+        eprintln!("usage: fuzz {names} [EXECUTIONS] [FIRST SEED]");
         std::process::exit(2);
     };
     let (executions, first) = (number(arguments.next(), 100_000), number(arguments.next(), 1));

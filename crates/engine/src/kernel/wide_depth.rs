@@ -66,6 +66,7 @@ impl<S: Simd> DepthLanes<S> for Deep {
 }
 
 /// The depths of a stamp whose iterators are too large for floats.
+#[inline(always)]
 fn exact_stamp(plane: &Plane64, by_w: bool, at: &Slot, out: &mut [i32; STAMP]) {
     for (i, out) in out.iter_mut().enumerate() {
         let value = plane.at(at.x + (i & 3) as i32, at.y + (i >> 2) as i32);

@@ -7,6 +7,7 @@ use super::convert::w_scale;
 use crate::RaveError;
 use crate::batch::Corner;
 use crate::constants::texture_op;
+use crate::painter::Z16_MAX;
 use crate::translate::{Paint, PatternUse, Variant};
 use crate::vertex::{VGouraud, VTexture};
 
@@ -30,6 +31,7 @@ impl Pen<'_> {
             opaque: prepared.is_opaque(alpha_is_one),
             bright: false,
             fog,
+            z_overflows: z_overflows(&corners),
             pattern: PatternUse::Area,
         };
         self.choose(&variant);
@@ -75,6 +77,7 @@ impl Pen<'_> {
             opaque: prepared.is_opaque(alpha_is_one && texel_is_opaque),
             bright,
             fog,
+            z_overflows: z_overflows(&corners),
             pattern: PatternUse::Area,
         };
         self.use_textures();
@@ -110,6 +113,24 @@ impl Pen<'_> {
 /// A textured vertex with its diffuse colour alone.
 pub(super) fn plain(v: &VTexture) -> VGouraud {
     VGouraud { x: v.x, y: v.y, z: v.z, inv_w: v.inv_w, r: v.kd_r, g: v.kd_g, b: v.kd_b, a: v.a }
+}
+
+/// Whether fragments of a triangle may get a z outside 0..=65535: its corners
+/// are moved by a sixteenth of a pixel, its plane is not. Conservative.
+#[inline]
+fn z_overflows([a, b, c]: &[Vertex; 3]) -> bool {
+    let low = a.z.min(b.z).min(c.z);
+    let high = a.z.max(b.z).max(c.z);
+    let span = high - low;
+    if span == 0.0 {
+        return false;
+    }
+    // Where the triangle is an eighth of a pixel high at least, its plane rises
+    // by less than the span in a sixteenth, to either side.
+    let (ab, ac) = ([b.x - a.x, b.y - a.y], [c.x - a.x, c.y - a.y]);
+    let area = (ab[0] * ac[1] - ab[1] * ac[0]).abs();
+    let length = ab[0].abs() + ab[1].abs() + ac[0].abs() + ac[1].abs();
+    !(low >= span && high + span <= Z16_MAX && area * 8.0 >= length)
 }
 
 /// Whether all of a vertex are numbers that can be drawn with.

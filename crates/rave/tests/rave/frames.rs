@@ -120,7 +120,6 @@ fn z_functions_do_what_their_names_say() {
 
 /// Larger 1/w is nearer, whatever z says.
 #[test]
-#[ignore = "the engine's stage"]
 fn perspective_z_compares_the_other_way_round() {
     let mut scene = scene();
     scene.int(int::PERSPECTIVE_Z, 1);
@@ -137,7 +136,6 @@ fn perspective_z_compares_the_other_way_round() {
 }
 
 #[test]
-#[ignore = "the engine's stage"]
 fn deep_z_tells_24_bits_apart() {
     let mut scene = Scene::with(config(), 16, 16, PixelType::Rgb32, DOUBLE_BUFFER | 2);
     let step = 2.0 / 16_777_216.0;

@@ -303,7 +303,6 @@ fn bitmaps_are_cut_and_scaled() {
 }
 
 #[test]
-#[ignore = "the engine's stage"]
 fn a_color_can_be_cut_out() {
     let mut scene = scene();
     let texture = scene.texture_new(2, &[R, G, B, W]);

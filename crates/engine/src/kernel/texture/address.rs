@@ -3,7 +3,7 @@
 use fillrate_simd::{FloatLanes, IntLanes, Simd};
 
 use super::UnitPlan;
-use super::lod::{lod_at, smallest_w, smallest_w_below};
+use super::lod::{linear_lods, lod_at, smallest_w, smallest_w_below};
 use crate::kernel::Pass;
 use crate::kernel::block::{Block, Lanes, STAMP, Slot};
 use crate::kernel::lanes::ramp_wide;
@@ -157,7 +157,15 @@ struct Samples<'a> {
 }
 
 /// Levels of detail of a stamp's fragments, one by one.
+#[inline(always)]
 fn lods_of_stamp(out: &mut [i32], plan: &UnitPlan, w: &Plane64, base: i32, at: Slot) {
+    if plan.is_next {
+        // Those of the finer level are there.
+        return;
+    }
+    if plan.unit.mix_levels {
+        return linear_lods(out, plan, w, base, at);
+    }
     for (i, out) in out[..STAMP].iter_mut().enumerate() {
         let (x, y) = (at.x + (i & 3) as i32, at.y + (i >> 2) as i32);
         *out = lod_at(plan, base, w.at(x, y), x, y);

@@ -6,6 +6,7 @@
 //! thresholds, exactly.
 
 use super::UnitPlan;
+use crate::kernel::block::{STAMP, Slot};
 use crate::log2::{log2_8, log2_8_int, smallest_with_log2_8};
 use crate::setup::Plane64;
 use crate::state::DITHER_4X4;
@@ -34,6 +35,7 @@ pub(super) fn smallest_w_below(base: i32, level: i32) -> f64 {
 
 /// 256 times the logarithm of a positive float that is linear between powers of
 /// two, rounded down.
+#[inline(always)]
 fn linear_log2_8(value: f64) -> i32 {
     (value.to_bits() >> 44) as i32 - (1023 << 8)
 }
@@ -48,8 +50,22 @@ pub(super) fn lod_at(plan: &UnitPlan, base: i32, w: i64, x: i32, y: i32) -> i32 
     } else {
         0
     };
-    let log = if plan.unit.mix_levels { linear_log2_8(w as f64) } else { log2_8_int(w as u64) };
-    plan.limit(base - log + dither)
+    plan.limit(base - log2_8_int(w as u64) + dither)
+}
+
+/// The levels of detail of a stamp at `at` where levels are mixed, limited.
+#[inline(always)]
+pub(super) fn linear_lods(out: &mut [i32], plan: &UnitPlan, w: &Plane64, base: i32, at: Slot) {
+    let corner = w.at(at.x, at.y);
+    for (i, out) in out[..STAMP].iter_mut().enumerate() {
+        let (column, row) = (i & 3, i >> 2);
+        let right = w.dx.wrapping_mul(column as i64);
+        let value = corner.wrapping_add(right).wrapping_add(w.dy.wrapping_mul(row as i64));
+        let dither = i32::from(DITHER_4X4[row][column]) << 4;
+        let dither = if plan.unit.lod_dither { dither } else { 0 };
+        let lod = plan.limit(base - linear_log2_8(value as f64) + dither);
+        *out = if value > 0 { lod } else { plan.lod_max };
+    }
 }
 
 #[cfg(test)]
