@@ -9,8 +9,9 @@ use fillrate_engine::{Counters, DeviceConfig};
 use fillrate_glide::Call;
 use fillrate_simd::Level;
 use fillrate_testkit::fuzz::{
-    Bytes, Fuzzer, Target, any_call, any_quark_call, any_redline_call, any_redline_words, context,
-    input, run_quark, run_redline_calls, run_redline_words, run_stream,
+    Bytes, Fuzzer, Target, any_call, any_quark_call, any_rave_call, any_redline_call,
+    any_redline_words, context, input, run_quark, run_rave, run_redline_calls, run_redline_words,
+    run_stream,
 };
 
 /// A number from the environment.
@@ -76,6 +77,33 @@ fn quark_streams_are_whole_and_steady() {
 }
 
 #[test]
+fn any_stream_of_rave_calls_is_survived() {
+    run(Target::Rave);
+}
+
+/// Streams of RAVE hold every call, and draw the same on any number of threads.
+#[test]
+fn rave_streams_are_whole_and_steady() {
+    let mut seen = BTreeSet::new();
+    let mut shown = BTreeSet::new();
+    for seed in 0..2_000 {
+        let bytes = input(seed);
+        let mut from = Bytes::new(&bytes);
+        while !from.is_empty() {
+            seen.insert(any_rave_call(&mut from).tag());
+        }
+        if seed % 10 == 0 {
+            let frames = run_rave(&bytes, 1);
+            assert_eq!(frames, run_rave(&bytes, 3), "FILLRATE_SEED={seed}");
+            shown.extend(frames);
+        }
+    }
+    let all: BTreeSet<u16> = fillrate_rave::Call::VARIANTS.iter().map(|(tag, _)| *tag).collect();
+    assert_eq!(seen, all);
+    assert!(shown.len() > 50, "{} pictures", shown.len());
+}
+
+#[test]
 fn any_stream_of_redline_words_is_survived() {
     run(Target::RedlineWords);
 }
@@ -83,6 +111,12 @@ fn any_stream_of_redline_words_is_survived() {
 #[test]
 fn any_stream_of_redline_calls_is_survived() {
     run(Target::RedlineCalls);
+}
+
+/// A block of host pixels of no bytes, while the source has four bits a pixel.
+#[test]
+fn regress_redline_block_of_no_bytes() {
+    Fuzzer::new(Target::RedlineCalls).run(&input(208_156));
 }
 
 /// Streams of RRedline hold every call, command and register, and draw the same

@@ -58,10 +58,11 @@ pub fn demo(args: &DemoArgs) -> Result<Outcome> {
 }
 
 /// The folders of examples, each with the library its programs link.
-const EXAMPLES: [(&str, &str); 4] = [
+const EXAMPLES: [(&str, &str); 5] = [
     ("examples/glide", library::GLIDE2X),
     ("examples/raw", library::RENDER_CLIENT),
     ("examples/quark", library::QUARK3D),
+    ("examples/rave", library::RAVE),
     ("examples/redline", library::REDLINE),
 ];
 

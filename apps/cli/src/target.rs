@@ -156,11 +156,8 @@ struct RaveTarget(rave::Context);
 
 impl RaveTarget {
     fn start(meta: &Meta, device: &DeviceConfig) -> Result<RaveTarget, TargetError> {
-        let memory = meta.get("texture-memory").map(str::parse).transpose()?;
-        let mut config = rave::RaveConfig { device: device.clone(), ..Default::default() };
-        if let Some(bytes) = memory {
-            config.memory.video_bytes = bytes;
-        }
+        let mut config = rave::RaveConfig { device: device.clone(), ..rave::RaveConfig::default() };
+        config.describe(|key| meta.get(key))?;
         Ok(RaveTarget(rave::Context::new(config)))
     }
 }

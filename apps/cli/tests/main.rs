@@ -7,6 +7,8 @@ mod card;
 mod conformance;
 #[path = "quark/mod.rs"]
 mod quark;
+#[path = "rave/mod.rs"]
+mod rave;
 #[path = "redline/mod.rs"]
 mod redline;
 
@@ -138,6 +140,7 @@ fn recordings_replay_to_the_same_frames() {
         ("glide", "glide2x"),
         ("raw", "render_client"),
         ("quark", "quark3d"),
+        ("rave", "rave"),
         ("redline", "redline"),
     ] {
         for file in examples(&format!("examples/{examples_of}")) {

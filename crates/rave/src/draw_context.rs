@@ -142,7 +142,9 @@ impl DrawContext {
         let Some(rect) = rect else { return self.bounds() };
         let (width, height) = (self.size.0 as i32, self.size.1 as i32);
         let (x, y) = (|v: i32| v.clamp(0, width) as u32, |v: i32| v.clamp(0, height) as u32);
-        Rect::new(x(rect.left), y(rect.top), x(rect.right), y(rect.bottom))
+        let inside = Rect::new(x(rect.left), y(rect.top), x(rect.right), y(rect.bottom));
+        // Sides may be exchanged: nothing lies between them.
+        if inside.is_empty() { Rect::new(0, 0, 0, 0) } else { inside }
     }
 
     /// How its colours are reduced.

@@ -199,7 +199,9 @@ fn writes_depth(state: &State, plane: Plane) -> bool {
 fn alpha_test(state: &State) -> Option<AlphaTest> {
     let function = state.int(int::ALPHA_TEST_FUNC);
     let compare = compare_function(function, Plane::None)?;
-    let reference = unit_byte(state.float(float::ALPHA_TEST_REF)) as u8;
+    // As a vertex's alpha becomes a fragment's, so that equal ones are equal.
+    let reference = state.float(float::ALPHA_TEST_REF).clamp(0.0, 1.0) * 255.0;
+    let reference = ((reference * 4096.0 + 0.5) as u32 >> 12) as u8;
     (compare != Compare::Always).then_some(AlphaTest { compare, reference })
 }
 

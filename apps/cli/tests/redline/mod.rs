@@ -2,6 +2,7 @@
 //! that check it, and its examples on both chips.
 
 mod interface;
+mod model;
 mod programs;
 mod scenes;
 
