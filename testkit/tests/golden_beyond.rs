@@ -40,7 +40,7 @@ fn rings() -> Arc<Texture> {
             let (x, y) = (2 * column - 31, 2 * row - 31);
             let far = (x * x + y * y) as u32;
             let alpha = 255u32.saturating_sub(far / 4);
-            let rgb = if far / 128 % 2 == 0 { 0xffffff } else { 0x2060e0 };
+            let rgb = if (far / 128).is_multiple_of(2) { 0xffffff } else { 0x2060e0 };
             out.push(alpha << 24 | rgb);
         }
     });
@@ -125,7 +125,7 @@ fn patterns() {
     let mut rows = [0u32; 32];
     for (y, row) in rows.iter_mut().enumerate() {
         for x in 0..32 {
-            let (dx, dy) = (x as i32 - 16, y as i32 - 16);
+            let (dx, dy) = (x - 16, y as i32 - 16);
             *row |= u32::from(dx * dx + dy * dy < 150) << (31 - x);
         }
     }

@@ -6,6 +6,7 @@ mod engines;
 mod frames;
 mod model;
 mod pixels;
+mod primitives;
 mod replay;
 mod scene;
 mod textures;

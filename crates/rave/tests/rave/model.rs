@@ -111,9 +111,9 @@ impl Model {
             2 => self.blend(a, da, a, da),
             _ => 255 - rounded((255 - a) * (255 - da)),
         });
-        for i in 0..4 {
+        for (i, (to, out)) in to.rgba.iter_mut().zip(out).enumerate() {
             if self.channels >> i & 1 != 0 && (i < 3 || has_alpha) {
-                to.rgba[i] = out[i];
+                *to = out;
             }
         }
     }

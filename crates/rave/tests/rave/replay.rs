@@ -1,13 +1,17 @@
 //! Calls that were written down draw the same again, on any machine.
 
-use fillrate_call::{from_bytes, to_bytes};
+use std::io::Cursor;
+
+use fillrate_call::{BlobSource, Decoder, Encoder, Value, from_bytes, to_bytes};
 use fillrate_engine::DeviceConfig;
 use fillrate_engine::target::TileSize;
+use fillrate_player::{Frame, Limits, Pixels, Player, Target, TargetError, Verdict, play};
 use fillrate_rave::constants::context::DOUBLE_BUFFER;
 use fillrate_rave::constants::{blend, texture_op, vertex_mode};
 use fillrate_rave::tags::int;
 use fillrate_rave::{Call, Context, PixelType, RaveConfig, VGouraud, VTexture};
 use fillrate_simd::Level;
+use fillrate_trace::{FrameInfo, Meta, TraceReader, TraceWriter};
 
 use crate::pixels::Dice;
 use crate::scene::{Scene, config, textured};
@@ -89,4 +93,55 @@ fn calls_draw_the_same_everywhere() {
             }
         }
     }
+}
+
+/// A library as the player sees it.
+struct Replay(Context);
+
+impl Target for Replay {
+    fn start(&mut self, _: &Meta) -> Result<(), TargetError> {
+        Ok(())
+    }
+
+    fn execute(&mut self, call: &[u8], blobs: &dyn BlobSource) -> Result<(), TargetError> {
+        let mut decoder = Decoder::with_blobs(call, blobs);
+        let call: Call = decoder.value()?;
+        decoder.finish()?;
+        self.0.execute(&call);
+        Ok(())
+    }
+
+    fn frame(&mut self) -> Option<Frame> {
+        frame_of(&mut self.0)
+    }
+}
+
+fn frame_of(library: &mut Context) -> Option<Frame> {
+    let shown = library.shown()?;
+    Frame::new(shown.width, shown.height, Pixels::Rgba8(shown.rgba8888())).ok()
+}
+
+/// A trace in a file has the same hashes, frame by frame.
+#[test]
+fn a_trace_replays_to_its_hashes() {
+    let scene = story(PixelType::Rgb16, 9);
+    let mut library = Context::new(config());
+    let mut writer = TraceWriter::new(Vec::new(), &Meta::new().with("api", "rave")).unwrap();
+    let mut encoder = Encoder::with_blobs();
+    for call in &scene.calls {
+        encoder.clear();
+        call.encode(&mut encoder);
+        writer.record_encoded(&mut encoder).unwrap();
+        library.execute(call);
+        if matches!(call, Call::RenderEnd { .. }) {
+            let frame = frame_of(&mut library).unwrap();
+            let (width, height, hash) = (frame.width(), frame.height(), Some(frame.hash()));
+            writer.end_frame(FrameInfo { width, height, hash }).unwrap();
+        }
+    }
+    let file = writer.finish().unwrap();
+    let events = TraceReader::new(Cursor::new(file)).unwrap();
+    let replay = Replay(Context::new(RaveConfig { asynchronous: true, ..config() }));
+    let report = play(&mut Player::new(events, replay, Limits::default()), |_, _| {});
+    assert_eq!((report.frames.len(), report.count(Verdict::Same)), (2, 2), "{:?}", report.stop);
 }

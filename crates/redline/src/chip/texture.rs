@@ -250,7 +250,8 @@ impl Binding {
 fn spread(texels: &mut [u32], keys: &[bool], column_bits: u32) {
     let width = 1usize << column_bits;
     let count = texels.len();
-    let offsets = [1, count - 1, width, count - width, width + 1, count - width - 1];
+    // Offsets modulo the number of texels; a texture may be a single row.
+    let offsets = [1, count - 1, width, 2 * count - width, width + 1, 2 * count - width - 1];
     for at in (0..count).filter(|&at| keys[at]) {
         let neighbours = offsets.map(|offset| (at + offset) % count);
         if let Some(neighbour) = neighbours.into_iter().find(|&neighbour| !keys[neighbour]) {

@@ -2,7 +2,8 @@
 
 use fillrate_redline::surface::{INTERLEAVED, PRIMARY, Z_BUFFER};
 use fillrate_redline::{
-    Call, Chip, Context, PixFmt, Rect, RedlineConfig, Reply, Segment, Surface, VError, lock, record,
+    Call, Chip, Context, DmaBlock, MemoryObjects, PixFmt, Port, Rect, RedlineConfig, Reply, Ring,
+    Segment, Surface, VError, VlError, lock, record,
 };
 
 use crate::board::{Board, config};
@@ -269,4 +270,41 @@ fn rings_of_command_buffers() {
     }
     let pixels = board.pixels(1);
     assert!((0..200u16).all(|i| pixels[usize::from(i)] == i));
+}
+
+/// A ring of small buffers draws what one large buffer draws.
+#[test]
+fn rings_issue_what_does_not_fit() {
+    let mut board =
+        Board::new(RedlineConfig { background: true, ..config(Chip::V2000) }, (64, 48), false);
+    board.issue();
+    let group = board.display();
+    let Board { context, device, group: number, .. } = board;
+    let memory = MemoryObjects::default();
+    let mut ring = Ring::new(context, device, memory, 3, 4, 40).unwrap();
+    let object = ring.memory.alloc_locked(8).unwrap();
+    ring.memory.bytes(object).unwrap().copy_from_slice(&[1, 0, 2, 0, 3, 0, 4, 0]);
+    for x in 0..48 {
+        record::fill_buffer(&mut ring, &group, 1, [x, x], [1, 1], 7).unwrap();
+        let data = ring.memory.block(object, Port::Word).unwrap();
+        record::mem_write(&mut ring, group.addresses[1] + x * 128 + 112, data, 4, 4).unwrap();
+    }
+    let too_long = record::int_polyline(&mut ring, true, 60, &[0; 61]).unwrap_err();
+    assert_eq!(too_long.number(), VlError::AddToCmdListFailed.number());
+    ring.issue().unwrap();
+    let read =
+        Call::ReadBuffer { device, group: number, buffer: 1, x: 0, y: 0, width: 64, height: 48 };
+    let bytes = ring.context.execute(&read).unwrap().into_bytes();
+    for y in 0..48usize {
+        let pixel = |x: usize| bytes[(y * 64 + x) * 2];
+        assert_eq!(pixel(y), 7);
+        assert_eq!([56, 57, 58, 59].map(pixel), [1, 2, 3, 4]);
+    }
+    ring.memory.free(object).unwrap();
+    let gone = DmaBlock { memory: object, ..DmaBlock::default() };
+    record::mem_write(&mut ring, group.addresses[1], gone, 4, 2).unwrap();
+    assert_eq!(ring.issue().unwrap_err().number(), VError::ParamError.number());
+    record::fill_buffer(&mut ring, &group, 1, [0, 0], [1, 1], 9).unwrap();
+    ring.issue().unwrap();
+    assert_eq!(ring.context.execute(&read).unwrap().into_bytes()[0], 9);
 }

@@ -175,6 +175,7 @@ fn source_pixels(bytes: &[u8], source: PixFmt, at: u32) -> (u32, ([u32; 4], usiz
 
 #[test]
 fn every_format_and_state() {
+    let (mut all, mut changed) = (0, 0);
     for case in 0..cases(400) {
         let mut random = Random::new(case);
         let mut board = Board::new(config(fillrate_redline::Chip::V2000), (64, 48), true);
@@ -211,6 +212,8 @@ fn every_format_and_state() {
             };
             let before = (old[at as usize], old_z[at as usize]);
             let expected = model.draw(texel, format, before, (at % SIDE, at / SIDE));
+            all += 1;
+            changed += u32::from(expected != before);
             let size = format.bits() as usize / 8;
             let pixel = &found[at as usize * size..][..size];
             let pixel = pixel.iter().rev().fold(0, |all, &b| all << 8 | u32::from(b));
@@ -222,6 +225,7 @@ fn every_format_and_state() {
             );
         }
     }
+    assert!(changed * 4 > all, "most fragments are dropped: {changed} of {all}");
 }
 
 /// Random depths in the display's Z buffer.
@@ -284,4 +288,26 @@ fn texture_addresses() {
             }
         }
     }
+}
+
+/// Filtered samples show no trace of the key's colour.
+#[test]
+fn keys_do_not_bleed() {
+    let mut board = Board::new(config(fillrate_redline::Chip::V2000), (64, 48), false);
+    let texels: Vec<u32> = (0..64).map(|i| if i % 8 < 3 { 0xf81f } else { 0x07e0 }).collect();
+    let (mut surface, group) = board.texture(8, 8, PixFmt::Rgb565, &texels);
+    (surface.chromakey, surface.chroma_color, surface.clamp) = (1, 0xf81f, 3);
+    board.bind(&surface, group);
+    let commands = &mut board.commands;
+    record::set_src_func(commands, 1).unwrap();
+    record::set_src_filter(commands, 1).unwrap();
+    record::set_s_offset(commands, 0xffff_8000).unwrap();
+    record::set_t_offset(commands, 0xffff_8000).unwrap();
+    record::square(commands, VertexType::XY.code(), 40 << 16, &[20 << 16, 20 << 16]).unwrap();
+    board.issue();
+    let pixels = board.pixels(1);
+    assert!(pixels.iter().all(|p| *p == 0 || p & 0xf81f == 0), "only green");
+    // Five pixels a texel: the edge of the key is at 15.
+    let row = &pixels[64 * 20..][..40];
+    assert!(row[..15].iter().all(|&p| p == 0) && row[16..].iter().all(|&p| p != 0), "{row:x?}");
 }
