@@ -24,7 +24,7 @@ fn packing_agrees_at_every_position_and_channel_value() {
         for dither in [Dither::Off, Dither::Ordered2x2, Dither::Ordered4x4] {
             for value in 0..256u32 {
                 // Channels that differ, so that none takes another's place.
-                let argb = value * 0x0101_0101 ^ 0x5a00_a53c;
+                let argb = (value * 0x0101_0101) ^ 0x5a00_a53c;
                 for position in 0..16 {
                     let (x, y) = (position % 4 + 640, position / 4 + 32);
                     let expected = pack(format, argb, dither, x, y);

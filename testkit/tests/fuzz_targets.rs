@@ -9,7 +9,9 @@ use fillrate_engine::{Counters, DeviceConfig};
 use fillrate_glide::Call;
 use fillrate_simd::Level;
 use fillrate_testkit::fuzz::{
-    Bytes, Fuzzer, Target, any_call, any_quark_call, context, input, run_quark, run_stream,
+    Bytes, Fuzzer, Target, any_call, any_quark_call, any_rave_call, any_redline_call,
+    any_redline_words, context, input, run_quark, run_rave, run_redline_calls, run_redline_words,
+    run_stream,
 };
 
 /// A number from the environment.
@@ -25,7 +27,7 @@ fn seeds() -> std::ops::Range<u64> {
 fn run(target: Target) {
     let mut fuzzer = Fuzzer::new(target);
     for seed in seeds() {
-        let bytes = input(seed);
+        let bytes = target.input(seed);
         let outcome = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| fuzzer.run(&bytes)));
         assert!(outcome.is_ok(), "{}: FILLRATE_SEED={seed}", target.name());
     }
@@ -72,6 +74,86 @@ fn quark_streams_are_whole_and_steady() {
     let all: BTreeSet<u16> = fillrate_quark::Call::VARIANTS.iter().map(|(tag, _)| *tag).collect();
     assert_eq!(seen, all);
     assert!(shown.len() > 50, "{} pictures", shown.len());
+}
+
+#[test]
+fn any_stream_of_rave_calls_is_survived() {
+    run(Target::Rave);
+}
+
+/// Streams of RAVE hold every call, and draw the same on any number of threads.
+#[test]
+fn rave_streams_are_whole_and_steady() {
+    let mut seen = BTreeSet::new();
+    let mut shown = BTreeSet::new();
+    for seed in 0..2_000 {
+        let bytes = input(seed);
+        let mut from = Bytes::new(&bytes);
+        while !from.is_empty() {
+            seen.insert(any_rave_call(&mut from).tag());
+        }
+        if seed % 10 == 0 {
+            let frames = run_rave(&bytes, 1);
+            assert_eq!(frames, run_rave(&bytes, 3), "FILLRATE_SEED={seed}");
+            shown.extend(frames);
+        }
+    }
+    let all: BTreeSet<u16> = fillrate_rave::Call::VARIANTS.iter().map(|(tag, _)| *tag).collect();
+    assert_eq!(seen, all);
+    assert!(shown.len() > 50, "{} pictures", shown.len());
+}
+
+#[test]
+fn any_stream_of_redline_words_is_survived() {
+    run(Target::RedlineWords);
+}
+
+#[test]
+fn any_stream_of_redline_calls_is_survived() {
+    run(Target::RedlineCalls);
+}
+
+/// A block of host pixels of no bytes, while the source has four bits a pixel.
+#[test]
+fn regress_redline_block_of_no_bytes() {
+    Fuzzer::new(Target::RedlineCalls).run(&input(208_156));
+}
+
+/// Streams of RRedline hold every call, command and register, and draw the same
+/// on any number of threads.
+#[test]
+fn redline_streams_are_whole_and_steady() {
+    use fillrate_redline::{Call, Chip, Command, Commands, Opcode, Register};
+    let (mut calls, mut opcodes) = (BTreeSet::new(), BTreeSet::new());
+    let (mut registers, mut drawn) = (BTreeSet::new(), BTreeSet::new());
+    for seed in 0..2_000 {
+        let bytes = input(seed);
+        let mut from = Bytes::new(&bytes);
+        while !from.is_empty() {
+            calls.insert(any_redline_call(&mut from, 0).tag());
+            let mut words = Vec::new();
+            any_redline_words(&mut from, 0, &mut words);
+            match Commands::new(&words, Chip::V2000).next() {
+                Some(Ok(Command::State { register, .. })) => drop(registers.insert(register)),
+                Some(Ok(Command::Draw { opcode, .. } | Command::Other { opcode, .. })) => {
+                    opcodes.insert(opcode);
+                }
+                _ => {}
+            }
+        }
+        if seed % 10 == 0 {
+            let words = run_redline_words(&bytes, 1);
+            assert_eq!(words, run_redline_words(&bytes, 3), "FILLRATE_SEED={seed}");
+            let calls = run_redline_calls(&bytes, 1);
+            assert_eq!(calls, run_redline_calls(&bytes, 3), "FILLRATE_SEED={seed}");
+            drawn.extend(words);
+        }
+    }
+    let all: BTreeSet<u16> = Call::VARIANTS.iter().map(|(tag, _)| *tag).collect();
+    assert_eq!(calls, all);
+    assert_eq!(opcodes.len(), Opcode::ALL.len(), "{opcodes:?}");
+    assert_eq!(registers.len(), Register::ALL.len(), "{registers:?}");
+    assert!(drawn.len() > 1_000, "{} pictures", drawn.len());
 }
 
 /// Every call there is, calls of the next release included.

@@ -464,7 +464,7 @@ impl Write<'_> {
             let at = (y * 1024 + x) as usize;
             let element = (row * WIDTH + x) as usize;
             let expected = match self.mode {
-                0xf => u32::from(pair.reference.aux.as_ref().expect("an aux buffer")[element]),
+                0xf => pair.reference.aux.as_ref().expect("an aux buffer")[element],
                 _ => pair.reference.color[element],
             };
             assert_eq!(words[at / 2] >> (16 * (at & 1)) & 0xffff, expected, "column {x} of {y}");

@@ -12,11 +12,11 @@ use fillrate_engine::{ClearValues, Cull, Texture, TextureDesc, TmuVertex, Vertex
 use fillrate_testkit::reference::Textures;
 use fillrate_testkit::{Canvas, golden};
 
-const SIDE: u32 = 96;
-const NO_TEXTURES: Textures = [None, None, None];
+pub(crate) const SIDE: u32 = 96;
+pub(crate) const NO_TEXTURES: Textures = [None, None, None];
 
 /// A vertex of a colour 0xRRGGBB.
-fn vertex(x: f32, y: f32, rgb: u32) -> Vertex {
+pub(crate) fn vertex(x: f32, y: f32, rgb: u32) -> Vertex {
     let channel = |shift: u32| (rgb >> shift & 0xff) as f32;
     let tmu = [TmuVertex { s: 0.0, t: 0.0, w: 1.0 }; 3];
     Vertex { x, y, r: channel(16), g: channel(8), b: channel(0), a: 255.0, z: 0.0, w: 1.0, tmu }
@@ -28,7 +28,7 @@ fn quad(canvas: &mut dyn Canvas, [a, b, c, d]: [Vertex; 4]) {
     canvas.triangle(&[a, c, d], Cull::Disabled);
 }
 
-fn clear(canvas: &mut dyn Canvas, color: u32, aux: u16) {
+pub(crate) fn clear(canvas: &mut dyn Canvas, color: u32, aux: u16) {
     let values = ClearValues { color: Some((color, Dither::Off)), aux: Some(u32::from(aux)) };
     canvas.clear(Rect::new(0, 0, SIDE, SIDE), values);
 }
@@ -127,7 +127,7 @@ fn depth_w_less() {
 }
 
 /// A texture whose levels can be told apart by colour, with a chequer in each.
-fn chequers() -> Arc<Texture> {
+pub(crate) fn chequers() -> Arc<Texture> {
     let desc = TextureDesc { s_bits: 8, t_bits: 8, first: 3, last: 8, clamp_s: false };
     let colors = [0xff4040, 0x40ff40, 0x4040ff, 0xffff40, 0xff40ff, 0x40ffff];
     let texture = Texture::build(desc, |level, out| {
@@ -140,7 +140,7 @@ fn chequers() -> Arc<Texture> {
     Arc::new(texture.expect("the shape is valid"))
 }
 
-fn textured(filter: Filter) -> DrawState {
+pub(crate) fn textured(filter: Filter) -> DrawState {
     let replace = CombineUnit { zero_other: true, add: Addend::Local, ..CombineUnit::default() };
     let unit = TextureUnit {
         perspective: true,
@@ -163,7 +163,7 @@ fn textured(filter: Filter) -> DrawState {
 }
 
 /// A floor from near (w = 1) at the bottom to far at the top.
-fn floor(canvas: &mut dyn Canvas) {
+pub(crate) fn floor(canvas: &mut dyn Canvas) {
     let corner = |x: f32, y: f32, s: f32, t: f32, inv_w: f32| {
         let tmu = [TmuVertex { s: s * inv_w, t: t * inv_w, w: inv_w }; 3];
         Vertex { w: inv_w, tmu, ..vertex(x, y, 0xffffff) }

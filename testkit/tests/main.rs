@@ -3,6 +3,7 @@
 mod formats;
 mod fuzz_targets;
 mod glide_states;
+mod golden_beyond;
 mod golden_scenes;
 mod random_cases;
 mod set_up;

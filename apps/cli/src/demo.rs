@@ -67,10 +67,12 @@ pub fn demo(args: &DemoArgs) -> Result<Outcome> {
 }
 
 /// The folders of examples, each with the library its programs link.
-const EXAMPLES: [(&str, &str); 3] = [
+const EXAMPLES: [(&str, &str); 5] = [
     ("examples/glide", library::GLIDE2X),
     ("examples/raw", library::RENDER_CLIENT),
     ("examples/quark", library::QUARK3D),
+    ("examples/rave", library::RAVE),
+    ("examples/redline", library::REDLINE),
 ];
 
 /// A program of the examples.
@@ -128,7 +130,8 @@ fn compile(source: &Path, scene: &Scene, build: &Path) -> Result<PathBuf> {
         command.arg(common);
     }
     command.arg("-o").arg(&program).arg("-L").arg(library::need(scene.library)?);
-    command.arg(format!("-l{}", scene.library)).arg("-lm");
+    command.arg(format!("-l{}", scene.library));
+    command.args(library::also(scene.library).iter().map(|also| format!("-l{also}"))).arg("-lm");
     let output = command
         .output()
         .with_context(|| format!("cannot start the compiler '{compiler}'; set {variable}"))?;

@@ -21,8 +21,19 @@ pub const GLIDE2X: &str = "glide2x";
 pub const RENDER_CLIENT: &str = "render_client";
 /// Quark 3D.
 pub const QUARK3D: &str = "quark3d";
+/// QuickDraw 3D RAVE.
+pub const RAVE: &str = "rave";
+/// RRedline's upper layer, which needs [`VERITE`].
+pub const REDLINE: &str = "redline";
+/// RRedline's lower layer.
+pub const VERITE: &str = "verite";
 /// Every drop-in library.
-pub const LIBRARIES: [&str; 3] = [GLIDE2X, RENDER_CLIENT, QUARK3D];
+pub const LIBRARIES: [&str; 6] = [GLIDE2X, RENDER_CLIENT, QUARK3D, RAVE, REDLINE, VERITE];
+
+/// Libraries that programs link besides one of these.
+pub fn also(library: &str) -> &'static [&'static str] {
+    if library == REDLINE { &[VERITE] } else { &[] }
+}
 
 /// The variable that makes the dynamic linker look into our folder first.
 pub const SEARCH_PATH: &str =

@@ -8,6 +8,7 @@ mod demo;
 mod doctor;
 mod gallery;
 mod library;
+mod model;
 mod raw;
 mod replay;
 mod run;
@@ -35,6 +36,8 @@ enum Command {
     Demo(demo::DemoArgs),
     /// Draw a recorded trace again and compare it with what was recorded.
     Replay(replay::ReplayArgs),
+    /// Estimate how long a recorded RRedline program took on the real chip.
+    Model(model::ModelArgs),
     /// The Raw pipeline: serve clients, play records, run the experiment.
     Raw(raw::RawArgs),
     /// Measure the workloads W1 to W9.
@@ -62,6 +65,7 @@ fn main() -> ExitCode {
         Command::Run(args) => run::run(&args),
         Command::Demo(args) => demo::demo(&args),
         Command::Replay(args) => replay::replay(&args),
+        Command::Model(args) => model::model(&args),
         Command::Raw(args) => raw::raw(&args),
         Command::Bench(args) => bench::bench(&args),
         Command::Doctor(args) => doctor::doctor(&args),

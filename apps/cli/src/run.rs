@@ -65,6 +65,12 @@ pub struct RunArgs {
     /// Eight bits a colour channel, without dithering
     #[arg(long)]
     pub color32: bool,
+    /// RRedline: the chip, v1000 or v2000
+    #[arg(long, value_name = "CHIP")]
+    pub chip: Option<String>,
+    /// RRedline: drop command buffers instead of issuing them, to see how fast the program alone is
+    #[arg(long)]
+    pub speed_of_light: bool,
     /// Settings file, instead of the fillrate.toml found
     #[arg(long, value_name = "FILE")]
     pub config: Option<PathBuf>,
@@ -186,6 +192,8 @@ impl RunArgs {
             ("FILLRATE_SCALE", self.scale.map(|n| n.to_string())),
             ("FILLRATE_SUPERSAMPLE", on(self.supersample)),
             ("FILLRATE_COLOR32", on(self.color32)),
+            ("FILLRATE_VERITE_CHIP", self.chip.clone()),
+            ("FILLRATE_SPEED_OF_LIGHT", on(self.speed_of_light)),
         ]
         .into_iter()
         .filter_map(|(name, value)| Some((name, value?)))

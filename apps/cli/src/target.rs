@@ -6,7 +6,9 @@ use fillrate_glide::card::Card;
 use fillrate_glide::{Call, Context, GlideConfig};
 use fillrate_player::{Frame, Pixels, Target, TargetError};
 use fillrate_quark as quark;
+use fillrate_rave as rave;
 use fillrate_raw as raw;
+use fillrate_redline as redline;
 use fillrate_trace::Meta;
 use fillrate_trace::meta::CONFIG_PREFIX;
 
@@ -27,8 +29,10 @@ impl Target for AnyTarget {
     fn start(&mut self, meta: &Meta) -> Result<(), TargetError> {
         let target: Box<dyn Target> = match meta.get("api") {
             None | Some("glide2x") => Box::new(GlideTarget::start(meta, &self.device)?),
-            Some("raw") => Box::new(RawTarget::start(meta, self.device.threads)?),
+            Some("raw") => Box::new(RawTarget::start(meta, &self.device)?),
             Some("quark3d") => Box::new(QuarkTarget(quark::Context::new(self.device.clone()))),
+            Some("redline") => Box::new(RedlineTarget::start(meta, &self.device)),
+            Some("rave") => Box::new(RaveTarget::start(meta, &self.device)?),
             Some(api) => {
                 return Err(format!("the trace holds calls of {api}, which is unknown").into());
             }
@@ -88,8 +92,9 @@ impl Target for GlideTarget {
 struct RawTarget(raw::Context);
 
 impl RawTarget {
-    fn start(meta: &Meta, threads: usize) -> Result<RawTarget, TargetError> {
-        let mut config = raw::Config { threads, ..raw::Config::default() };
+    fn start(meta: &Meta, device: &DeviceConfig) -> Result<RawTarget, TargetError> {
+        let DeviceConfig { threads, level, tile } = *device;
+        let mut config = raw::Config { threads, level, tile, ..raw::Config::default() };
         if let Some(size) = meta.get("size") {
             let sides = size
                 .split_once('x')
@@ -143,5 +148,69 @@ impl Target for QuarkTarget {
     fn frame(&mut self) -> Option<Frame> {
         let shown = self.0.shown()?;
         Frame::new(shown.width, shown.height, Pixels::Rgba8(shown.rgba8888())).ok()
+    }
+}
+
+/// Executes recorded calls of RAVE.
+struct RaveTarget(rave::Context);
+
+impl RaveTarget {
+    fn start(meta: &Meta, device: &DeviceConfig) -> Result<RaveTarget, TargetError> {
+        let mut config = rave::RaveConfig { device: device.clone(), ..rave::RaveConfig::default() };
+        config.describe(|key| meta.get(key))?;
+        Ok(RaveTarget(rave::Context::new(config)))
+    }
+}
+
+impl Target for RaveTarget {
+    fn start(&mut self, _meta: &Meta) -> Result<(), TargetError> {
+        Ok(())
+    }
+
+    fn execute(&mut self, call: &[u8], blobs: &dyn BlobSource) -> Result<(), TargetError> {
+        let mut decoder = Decoder::with_blobs(call, blobs);
+        let call: rave::Call = decoder.value()?;
+        decoder.finish()?;
+        self.0.execute(&call);
+        Ok(())
+    }
+
+    fn frame(&mut self) -> Option<Frame> {
+        let shown = self.0.shown()?;
+        Frame::new(shown.width, shown.height, Pixels::Rgba8(shown.rgba8888())).ok()
+    }
+}
+
+/// Executes recorded calls of RRedline.
+struct RedlineTarget(redline::Context);
+
+impl RedlineTarget {
+    fn start(meta: &Meta, device: &DeviceConfig) -> RedlineTarget {
+        let pairs = meta.iter().filter_map(|(key, value)| {
+            Some((key.strip_prefix(CONFIG_PREFIX)?.to_string(), value.to_string()))
+        });
+        let config = redline::RedlineConfig::from_description(pairs);
+        let device = device.clone();
+        RedlineTarget(redline::Context::new(redline::RedlineConfig { device, ..config }))
+    }
+}
+
+impl Target for RedlineTarget {
+    fn start(&mut self, _meta: &Meta) -> Result<(), TargetError> {
+        Ok(())
+    }
+
+    fn execute(&mut self, call: &[u8], blobs: &dyn BlobSource) -> Result<(), TargetError> {
+        let mut decoder = Decoder::with_blobs(call, blobs);
+        let call: redline::Call = decoder.value()?;
+        decoder.finish()?;
+        // A call that failed when it was recorded fails again.
+        let _ = self.0.execute(&call);
+        Ok(())
+    }
+
+    fn frame(&mut self) -> Option<Frame> {
+        let shown = self.0.shown()?;
+        Frame::new(shown.width, shown.height, Pixels::Rgb565(shown.pixels)).ok()
     }
 }

@@ -7,6 +7,10 @@ mod card;
 mod conformance;
 #[path = "quark/mod.rs"]
 mod quark;
+#[path = "rave/mod.rs"]
+mod rave;
+#[path = "redline/mod.rs"]
+mod redline;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -118,6 +122,7 @@ fn compile(file: &Path, library: &str, folder: &Path) -> PathBuf {
         .arg("-L")
         .arg(library_folder())
         .arg(format!("-l{library}"))
+        .args((library == "redline").then_some("-lverite"))
         .arg("-lm"));
     program
 }
@@ -134,9 +139,13 @@ fn examples(folder: &str) -> Vec<PathBuf> {
 fn recordings_replay_to_the_same_frames() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut count = 0;
-    for (examples_of, library) in
-        [("glide", "glide2x"), ("raw", "render_client"), ("quark", "quark3d")]
-    {
+    for (examples_of, library) in [
+        ("glide", "glide2x"),
+        ("raw", "render_client"),
+        ("quark", "quark3d"),
+        ("rave", "rave"),
+        ("redline", "redline"),
+    ] {
         for file in examples(&format!("examples/{examples_of}")) {
             let program = compile(&file, library, folder.path());
             let trace = folder.path().join("trace");
@@ -150,7 +159,7 @@ fn recordings_replay_to_the_same_frames() {
             count += 1;
         }
     }
-    assert!(count >= 39, "{count}");
+    assert!(count >= 46, "{count}");
 }
 
 /// A client of the Raw pipeline draws the same on the other side of pipes: on one tile, on sixteen,
@@ -264,9 +273,13 @@ fn dependencies_point_one_way() {
         ("fillrate-geometry", &[]),
         ("fillrate-engine", &["fillrate-simd"]),
         ("fillrate-glide", &["fillrate-engine", "fillrate-call"]),
-        ("fillrate-settings", &["fillrate-glide", "fillrate-engine", "fillrate-simd"]),
-        ("fillrate-raw", &["fillrate-call"]),
+        (
+            "fillrate-settings",
+            &["fillrate-glide", "fillrate-redline", "fillrate-engine", "fillrate-simd"],
+        ),
+        ("fillrate-raw", &["fillrate-engine", "fillrate-simd", "fillrate-call"]),
         ("fillrate-quark", &["fillrate-engine", "fillrate-call"]),
+        ("fillrate-redline", &["fillrate-engine", "fillrate-call"]),
         ("fillrate-rave", &["fillrate-engine", "fillrate-call"]),
         ("fillrate-trace", &["fillrate-call"]),
         ("fillrate-player", &["fillrate-call", "fillrate-trace"]),

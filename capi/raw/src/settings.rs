@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use fillrate_capture::{number, variable};
-use fillrate_raw::{Config, Errata};
+use fillrate_raw::{Config, Errata, Level, TileSize};
 
 /// Everything that is set.
 #[derive(Debug, Default)]
@@ -39,6 +39,22 @@ fn threads(text: &str) -> Result<usize, String> {
     }
 }
 
+/// A SIMD level of this machine.
+fn level(text: &str) -> Result<Level, String> {
+    let level: Level = text.parse().map_err(|error| format!("{error}"))?;
+    if level.is_available() { Ok(level) } else { Err("this machine lacks it".into()) }
+}
+
+/// The side of a tile in pixels.
+fn tile(text: &str) -> Result<TileSize, String> {
+    match number(text)? {
+        32 => Ok(TileSize::Small),
+        64 => Ok(TileSize::Medium),
+        128 => Ok(TileSize::Large),
+        _ => Err("tiles are 32, 64 or 128 pixels".into()),
+    }
+}
+
 fn errata(text: &str) -> Result<Errata, String> {
     Errata::by_name(text).ok_or_else(|| "they are 'correct' or 'faithful'".to_string())
 }
@@ -60,6 +76,8 @@ impl Settings {
         }
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         config.threads = variable("FILLRATE_THREADS", threads).unwrap_or(cores);
+        config.level = variable("FILLRATE_SIMD", level).unwrap_or(config.level);
+        config.tile = variable("FILLRATE_TILE", tile).unwrap_or(config.tile);
         config.errata = variable("FILLRATE_RAW_ERRATA", errata).unwrap_or(config.errata);
         Settings {
             config,

@@ -6,8 +6,9 @@ use std::sync::Arc;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use fillrate_engine::setup::{TmuVertex, Vertex};
 use fillrate_engine::state::{
-    Addend, Blend, BlendFactor, ColorCombine, ColorLocal, CombineUnit, Compare, DepthState, Dither,
-    Factor, Filter, Fog, FogAmount, LodRange, Other, Rect, TextureCombine, TextureUnit,
+    Addend, AlphaEquation, Blend, BlendFactor, ColorCombine, ColorLocal, CombineUnit, Compare,
+    DepthState, Dither, Factor, Filter, Fog, FogAmount, LodRange, Other, Rect, Shade,
+    TextureCombine, TextureUnit, ZOverflow,
 };
 use fillrate_engine::target::TileSize;
 use fillrate_engine::{
@@ -52,12 +53,27 @@ fn states() -> Vec<(&'static str, DrawState)> {
         drop_fog_color: false,
         drop_fragment_color: false,
     };
+    let union = Blend { alpha: AlphaEquation::Union, ..blend };
+    let foggy = DrawState { fog: Some(fog), blend: Some(blend), ..textured };
+    let by_w = Fog { amount: FogAmount::ByW, ..fog };
+    let by_w = DrawState { fog: Some(by_w), blend: Some(union), ..textured };
+    let by_factor = Fog { amount: FogAmount::Iterated, ..fog };
+    let by_factor = DrawState { fog: Some(by_factor), blend: Some(union), ..textured };
+    let specular = Shade { specular: true, ..Shade::default() };
+    let mixed = TextureUnit { mix_levels: true, ..unit };
+    let clamped = DepthState { z_overflow: ZOverflow::Clamp, ..depth };
     vec![
         ("gouraud", base),
         ("gouraud-depth", tested),
         ("textured", textured),
         ("textured-blend", DrawState { blend: Some(blend), ..textured }),
         ("textured-fog", DrawState { fog: Some(fog), ..textured }),
+        ("textured-fog-blend", foggy),
+        ("textured-distance-fog-blend", by_w),
+        ("textured-fog-factor-blend", by_factor),
+        ("textured-specular", DrawState { shade: specular, ..textured }),
+        ("textured-trilinear", DrawState { units: [Some(mixed), None, None], ..textured }),
+        ("textured-clamped-z", DrawState { depth: clamped, ..textured }),
     ]
 }
 

@@ -60,18 +60,9 @@ pub fn wide(value: f32) -> i64 {
 /// [`coord`] of several values at once.
 #[inline(always)]
 pub(crate) fn coordinates<const N: usize>(values: [f32; N]) -> [i32; N] {
-    let mut out = [0; N];
-    let mut fits = true;
-    for (out, value) in out.iter_mut().zip(values) {
-        // A product with a power of two is exact.
-        let scaled = value * (1 << COORD_FRACTION) as f32;
-        fits &= scaled.abs() < FITS_I32;
-        *out = ((scaled as i32) << 16) >> 16;
-    }
-    if !fits {
-        for (out, value) in out.iter_mut().zip(values) {
-            *out = coord(value);
-        }
+    let mut out = scaled(values, COORD_FRACTION, coord);
+    for out in &mut out {
+        *out = (*out << 16) >> 16;
     }
     out
 }
@@ -79,17 +70,30 @@ pub(crate) fn coordinates<const N: usize>(values: [f32; N]) -> [i32; N] {
 /// [`color`] and [`depth`], which are the same, of several values at once.
 #[inline(always)]
 pub(crate) fn twelve_bits<const N: usize>(values: [f32; N]) -> [i32; N] {
-    let mut out = [0; N];
+    scaled(values, COLOR_FRACTION, color)
+}
+
+/// `value * 2^fraction`, truncated toward zero, of several values at once; by
+/// `one` where 32 bits do not hold all of them.
+#[inline(always)]
+fn scaled<const N: usize>(values: [f32; N], fraction: u32, one: fn(f32) -> i32) -> [i32; N] {
+    let (mut products, mut out) = ([0.0; N], [0; N]);
     let mut fits = true;
-    for (out, value) in out.iter_mut().zip(values) {
-        let scaled = value * (1 << COLOR_FRACTION) as f32;
-        fits &= scaled.abs() < FITS_I32;
-        *out = scaled as i32;
+    for (product, value) in products.iter_mut().zip(values) {
+        // A product with a power of two is exact.
+        *product = value * (1u32 << fraction) as f32;
+        fits &= product.abs() < FITS_I32;
     }
     if !fits {
-        for (out, value) in out.iter_mut().zip(values) {
-            *out = color(value);
-        }
+        return values.map(one);
+    }
+    let (fours, rest) = products.as_chunks();
+    let (fours_out, rest_out) = out.as_chunks_mut();
+    for (out, four) in fours_out.iter_mut().zip(fours) {
+        *out = fillrate_simd::truncate(*four);
+    }
+    for (out, value) in rest_out.iter_mut().zip(rest) {
+        *out = *value as i32;
     }
     out
 }

@@ -29,10 +29,12 @@ mod stats;
 pub use device::{ClearValues, Device, DeviceConfig, FlushReason, PixelRun, SurfaceId};
 pub use error::EngineError;
 pub use setup::{
-    Cull, Outcome, PALETTE_COORDINATE, PalettePrimitive, PaletteVertex, Param, Registers,
-    TmuVertex, Vertex, VertexExtra, WideParam,
+    Cull, Outcome, PALETTE_COORDINATE, PalettePrimitive, PaletteVertex, Param, RawPrimitive,
+    RawVertex, Registers, TmuVertex, Vertex, VertexExtra, WideParam,
 };
-pub use state::{DrawState, PaletteBlend, PaletteDraw, PaletteState};
+pub use state::{
+    DrawState, PaletteBlend, PaletteDraw, PaletteState, RawDraw, RawState, RawTexture,
+};
 pub use stats::{Counters, FlushStats};
 pub use target::{PixelFormat, Surface};
 pub use texture::{Level, Texture, TextureDesc};

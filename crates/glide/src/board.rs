@@ -204,10 +204,15 @@ impl Board {
     }
 
     /// Tells the engine what the registers say, where that changed.
+    #[inline]
     pub fn update(&mut self) {
-        if !self.dirty || self.buffers.is_none() {
-            return;
+        if self.dirty && self.buffers.is_some() {
+            self.tell_engine();
         }
+    }
+
+    #[cold]
+    fn tell_engine(&mut self) {
         self.dirty = false;
         let (state, textures) = self.engine_state();
         let color = self.color_surface(self.fbi.fbz_mode >> 14 & 3);

@@ -66,11 +66,24 @@ pub(crate) struct VertexRules {
 }
 
 impl VertexRules {
+    /// The engine's vertices of a triangle: [`VertexRules::convert`], whose
+    /// conditions most often need not be asked for each corner.
+    #[inline(always)]
+    pub fn convert_all(&self, corners: [&GrVertex; 3]) -> [Vertex; 3] {
+        const PLAIN: VertexRules = VertexRules { hints: 0, unit0_active: true, constant: None };
+        let [a, b, c] = corners;
+        if *self == PLAIN {
+            return [PLAIN.convert(a), PLAIN.convert(b), PLAIN.convert(c)];
+        }
+        [self.convert(a), self.convert(b), self.convert(c)]
+    }
+
     /// The engine's vertex.
     ///
     /// Source: G246, triangle set-up: w goes to every unit, a hint gives a
     /// unit its own; s and t of the first unit go to the second, unless hinted
     /// or the first one is not active.
+    #[inline(always)]
     pub fn convert(&self, v: &GrVertex) -> Vertex {
         let hint = |bit: u32| self.hints & bit != 0;
         let [first, second] = v.tmuvtx;

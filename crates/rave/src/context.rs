@@ -381,6 +381,14 @@ impl Context {
                 self.objects.settle();
                 number(self.objects.memory.free_bytes())
             }
+            selector::TEXTURE_LOADS if id == EngineId::BUILT_IN => {
+                self.objects.settle();
+                number(self.objects.memory.statistics().loads)
+            }
+            selector::TEXTURE_EVICTIONS if id == EngineId::BUILT_IN => {
+                self.objects.settle();
+                number(self.objects.memory.statistics().evictions)
+            }
             _ => self.manager.gestalt(id, selector),
         }
     }

@@ -5,11 +5,12 @@
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use fillrate_engine::PixelFormat;
-use fillrate_engine::state::{Dither, Rect};
+use fillrate_engine::state::{Dither, FogTable, Rect};
 
 use crate::RaveError;
 use crate::constants::{antialias, context, device, notice};
 use crate::draw::Prepared;
+use crate::fog::FogCurve;
 use crate::front::{Front, surface_format};
 use crate::handle::DrawContextId;
 use crate::painter::TargetSpec;
@@ -63,6 +64,8 @@ pub(crate) struct DrawContext {
     pub notices: [bool; notice::NUM_SELECTORS as usize],
     pub draw_buffer_accessed: bool,
     pub z_buffer_accessed: bool,
+    /// The fog that was used last, and its table.
+    pub fog_table: (Option<FogCurve>, FogTable),
     /// What drawing needs of the state; `None` after a change.
     pub prepared: Option<Box<Prepared>>,
 }
@@ -98,6 +101,7 @@ impl DrawContext {
             notices: [false; notice::NUM_SELECTORS as usize],
             draw_buffer_accessed: false,
             z_buffer_accessed: false,
+            fog_table: (None, FogTable::default()),
             prepared: None,
             spec,
         })
@@ -138,7 +142,9 @@ impl DrawContext {
         let Some(rect) = rect else { return self.bounds() };
         let (width, height) = (self.size.0 as i32, self.size.1 as i32);
         let (x, y) = (|v: i32| v.clamp(0, width) as u32, |v: i32| v.clamp(0, height) as u32);
-        Rect::new(x(rect.left), y(rect.top), x(rect.right), y(rect.bottom))
+        let inside = Rect::new(x(rect.left), y(rect.top), x(rect.right), y(rect.bottom));
+        // Sides may be exchanged: nothing lies between them.
+        if inside.is_empty() { Rect::new(0, 0, 0, 0) } else { inside }
     }
 
     /// How its colours are reduced.

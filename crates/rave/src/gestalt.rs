@@ -24,6 +24,10 @@ pub mod selector {
     pub const MULTI_TEXTURE_MAX: u32 = 16;
     pub const NUM_SELECTORS: u32 = 17;
     pub const ENGINE_SPECIFIC_MINIMUM: u32 = 1000;
+    /// Copies of textures to the board so far; our extension.
+    pub const TEXTURE_LOADS: u32 = 2000;
+    /// Copies that left it for others; our extension.
+    pub const TEXTURE_EVICTIONS: u32 = 2001;
 }
 
 /// What a selector answers.

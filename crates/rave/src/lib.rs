@@ -22,6 +22,7 @@ mod batch;
 mod call;
 mod color_table;
 mod context;
+mod description;
 mod draw;
 mod draw_context;
 mod engine;

@@ -330,6 +330,12 @@ impl Painter {
         let mut front = present.front.lock().unwrap_or_else(PoisonError::into_inner);
         let shown = front_rect(&front, target.size, present.rect);
         let same_size = (front.width, front.height) == target.size;
+        let plain = same_size && target.scale == 1 && front.clip.is_none();
+        if plain && present.composite == 0 {
+            copy_rows(surface, &mut front, &shown);
+            front.note(shown);
+            return;
+        }
         for y in shown.top as u32..shown.bottom as u32 {
             for x in shown.left as u32..shown.right as u32 {
                 if front.clip.is_some() && !front.shows(x, y) {
@@ -344,6 +350,17 @@ impl Painter {
             }
         }
         front.note(shown);
+    }
+}
+
+/// Shows a rectangle as it is.
+fn copy_rows(surface: &Surface, front: &mut Front, rect: &RaveRect) {
+    let columns = rect.left as usize..rect.right as usize;
+    let rows = front.elements.chunks_exact_mut(front.width as usize).enumerate();
+    for (y, row) in rows.skip(rect.top as usize).take(rect.height() as usize) {
+        for (x, element) in (rect.left as u32..).zip(&mut row[columns.clone()]) {
+            *element = surface.get(x, y as u32);
+        }
     }
 }
 

@@ -11,7 +11,6 @@ use fillrate_engine::state::{
 use fillrate_engine::{DrawState, PixelFormat};
 
 use crate::constants::{blend, channel, compare, multi_texture, quality, texture_op};
-use crate::fog::FogCurve;
 use crate::state::{Layer, State, unit_byte};
 use crate::tags::{float, int};
 
@@ -61,6 +60,8 @@ pub(crate) struct Variant {
     /// A diffuse colour is above 1.
     pub bright: bool,
     pub fog: FogSource,
+    /// Fragments may get a z outside its range, by rounding or at the edges.
+    pub z_overflows: bool,
     pub pattern: PatternUse,
 }
 
@@ -105,11 +106,16 @@ pub(crate) struct Surroundings {
 }
 
 /// The engine's state for primitives of a variant.
-pub(crate) fn draw_state(state: &State, at: &Surroundings, variant: &Variant) -> DrawState {
+pub(crate) fn draw_state(
+    state: &State,
+    at: &Surroundings,
+    variant: &Variant,
+    fog_table: &FogTable,
+) -> DrawState {
     let (color_combine, alpha_combine, shade) = combine(state, variant);
     DrawState {
         clip: scissor(state, at.size),
-        depth: depth(state, at.plane),
+        depth: depth(state, at.plane, variant.z_overflows),
         aux_write: if writes_depth(state, at.plane) { AuxWrite::Depth } else { AuxWrite::Nothing },
         units: units(state, at, variant),
         color_combine,
@@ -118,17 +124,21 @@ pub(crate) fn draw_state(state: &State, at: &Surroundings, variant: &Variant) ->
         color0: state.color(float::GL_TEXTURE_ENV_COLOR_A),
         alpha_test: alpha_test(state),
         fog: fog_state(state, variant.fog),
-        fog_table: match (variant.fog, FogCurve::of(state)) {
-            (FogSource::Fragment, Some(curve)) => curve.table(),
+        fog_table: match variant.fog {
+            FogSource::Fragment => *fog_table,
             _ => FogTable::default(),
         },
         blend: if variant.opaque { None } else { blending(state) },
         dither: if at.dithers && at.format.is_reduced() { Dither::Ordered4x4 } else { Dither::Off },
+        color_write: state.int(int::GL_DRAW_BUFFER) & GL_BUFFERS != 0,
         channels: channels(state),
         pattern: pattern(state, variant.pattern),
         ..DrawState::default()
     }
 }
+
+/// OpenGL's draw buffers; without one, colours are not written.
+const GL_BUFFERS: u32 = 15;
 
 /// The scissor rectangle inside the context; `None`: all of it.
 pub(crate) fn scissor(state: &State, (width, height): (u32, u32)) -> Option<Rect> {
@@ -165,7 +175,7 @@ fn compare_function(number: u32, plane: Plane) -> Option<Compare> {
     })
 }
 
-fn depth(state: &State, plane: Plane) -> DepthState {
+fn depth(state: &State, plane: Plane, overflows: bool) -> DepthState {
     let source = match plane {
         Plane::None | Plane::Z16 => DepthSource::Z,
         Plane::Deep => DepthSource::DeepZ,
@@ -175,7 +185,9 @@ fn depth(state: &State, plane: Plane) -> DepthState {
         Plane::None => None,
         _ => compare_function(state.int(int::Z_FUNCTION), plane),
     };
-    DepthState { source, test, z_overflow: ZOverflow::Clamp, ..DepthState::default() }
+    // Where nothing overflows, the chip's own rule is the same and faster.
+    let z_overflow = if overflows { ZOverflow::Clamp } else { ZOverflow::Wrap };
+    DepthState { source, test, z_overflow, ..DepthState::default() }
 }
 
 fn writes_depth(state: &State, plane: Plane) -> bool {
@@ -187,7 +199,9 @@ fn writes_depth(state: &State, plane: Plane) -> bool {
 fn alpha_test(state: &State) -> Option<AlphaTest> {
     let function = state.int(int::ALPHA_TEST_FUNC);
     let compare = compare_function(function, Plane::None)?;
-    let reference = unit_byte(state.float(float::ALPHA_TEST_REF)) as u8;
+    // As a vertex's alpha becomes a fragment's, so that equal ones are equal.
+    let reference = state.float(float::ALPHA_TEST_REF).clamp(0.0, 1.0) * 255.0;
+    let reference = ((reference * 4096.0 + 0.5) as u32 >> 12) as u8;
     (compare != Compare::Always).then_some(AlphaTest { compare, reference })
 }
 

@@ -5,12 +5,15 @@
 
 use std::collections::VecDeque;
 
+use fillrate_engine::target::TileSize;
+use fillrate_simd::Level;
+
 use crate::errata::Errata;
 use crate::error::StreamError;
-use crate::fast;
 use crate::framebuffer::Pages;
 use crate::observer::Observer;
 use crate::opcode::Opcode;
+use crate::painter::{self, Painter};
 use crate::stage::composite::{self, Target};
 use crate::stage::raster::Rasterizer;
 use crate::stage::{InputVertex, TransPrim, combine, geometry, ordering};
@@ -20,6 +23,9 @@ use crate::texture::{self, TextureManager};
 
 /// Faults kept for [`Device::take_faults`]; later ones are only counted.
 pub(crate) const MAX_FAULTS: usize = 256;
+
+/// The painter uses no surfaces but those it made.
+const OWN: &str = "surfaces of the painter's own";
 
 /// The word that says "ready": at boot, on entering a scene and on leaving it.
 pub const READY: u32 = 1;
@@ -41,6 +47,10 @@ pub struct Config {
     pub beyond: bool,
     /// Threads that draw, the caller's included; 0 for the scalar reference. The picture is the same.
     pub threads: usize,
+    /// SIMD level of the threads. The picture is the same.
+    pub level: Level,
+    /// Side of the tiles that threads draw. The picture is the same.
+    pub tile: TileSize,
 }
 
 /// The largest width and height a device accepts.
@@ -56,6 +66,8 @@ impl Default for Config {
             errata: Errata::CORRECT,
             beyond: true,
             threads: 0,
+            level: Level::best(),
+            tile: TileSize::default(),
         }
     }
 }
@@ -244,7 +256,7 @@ enum Mode {
 }
 
 /// The single-tile device. `O` watches the work for the cost model; `()` watches nothing.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Device<O = ()> {
     core: Core,
     mode: Mode,
@@ -255,6 +267,8 @@ pub struct Device<O = ()> {
     fragments: u64,
     /// Primitives that wait for the fast path.
     queue: Vec<TransPrim>,
+    /// The fast path, once something was drawn with it.
+    painter: Option<Box<Painter>>,
     observer: O,
 }
 
@@ -279,11 +293,12 @@ impl<O: Observer> Device<O> {
             offset: 0,
             fragments: 0,
             queue: Vec::new(),
+            painter: None,
             observer,
         }
     }
 
-    /// State, textures and buffers; inside a scene the buffers may lack what [`Device::flush`] draws.
+    /// State, textures and buffers; with threads, the buffers may lack what [`Device::flush`] brings.
     pub fn core(&self) -> &Core {
         &self.core
     }
@@ -296,6 +311,10 @@ impl<O: Observer> Device<O> {
 
     /// State, textures and buffers, for set-up from outside the command stream.
     pub fn core_mut(&mut self) -> &mut Core {
+        self.flush();
+        if let Some(painter) = &mut self.painter {
+            painter.buffers_changed();
+        }
         &mut self.core
     }
 
@@ -394,7 +413,10 @@ impl<O: Observer> Device<O> {
                 if let Some(fault) = self.core.texture_fault(op, &self.params, self.offset) {
                     self.fault(fault);
                 }
-                self.core.execute(op, &self.params, &mut self.replies);
+                if !self.clear(op) {
+                    self.lend_buffers(op);
+                    self.core.execute(op, &self.params, &mut self.replies);
+                }
                 if let Some(at) = op.data_length_at() {
                     self.block(op, 0, self.params[at]);
                 }
@@ -415,7 +437,7 @@ impl<O: Observer> Device<O> {
             SceneEvent::Primitive(vertices) => self.primitive(&vertices),
             SceneEvent::EndScene => {
                 self.observer.command(Opcode::EndScene);
-                self.flush();
+                self.draw_queue();
                 self.replies.push(READY, 1);
                 self.mode = Mode::Command;
                 return;
@@ -446,27 +468,62 @@ impl<O: Observer> Device<O> {
             parts.iter().for_each(|part| self.draw(part));
             return;
         }
-        let errata = self.core.config.errata;
-        self.queue.extend(parts.iter().map(|part| stage2_view(part, &errata)));
-        if self.queue.len() >= fast::MAX_QUEUED {
-            self.flush();
+        self.queue.extend(parts.iter());
+        if self.queue.len() >= painter::MAX_QUEUED {
+            self.draw_queue();
         }
     }
 
-    /// Draws what waits for the fast path. The end of a scene does so by itself.
+    /// Draws what waits for the fast path, as the end of a scene does by itself, and brings the
+    /// buffers up to date.
     pub fn flush(&mut self) {
-        if !self.queue.is_empty() {
-            let threads = self.core.config.threads;
-            self.fragments += fast::draw(&mut self.core, &self.queue, threads);
-            self.queue.clear();
+        self.draw_queue();
+        if let Some(painter) = &mut self.painter {
+            painter.update_buffers(&mut self.core.target).expect(OWN);
+        }
+    }
+
+    /// Draws what waits for the fast path.
+    fn draw_queue(&mut self) {
+        if self.queue.is_empty() {
+            return;
+        }
+        let queue = std::mem::take(&mut self.queue);
+        if self.painter.is_none() {
+            self.painter = Painter::new(&self.core.config).map(Box::new).ok();
+        }
+        match &mut self.painter {
+            Some(painter) => {
+                self.fragments += painter.draw(&mut self.core, &queue).expect(OWN);
+            }
+            // Without threads to start, the reference draws the same.
+            None => queue.iter().for_each(|prim| self.draw(prim)),
+        }
+        self.queue = queue;
+        self.queue.clear();
+    }
+
+    /// Carries a command out on the fast path's own buffers, if it is a clear.
+    fn clear(&mut self, op: Opcode) -> bool {
+        let Some(painter) = &mut self.painter else { return false };
+        painter.clear(&self.core.target, op, &self.params).expect(OWN)
+    }
+
+    /// Brings the buffers up to date before a command reads or writes them.
+    fn lend_buffers(&mut self, op: Opcode) {
+        if self.painter.is_none() || painter::leaves_buffers(op) {
+            return;
+        }
+        self.core_mut();
+        if op == Opcode::Resize {
+            self.painter = None;
         }
     }
 
     /// Back to the state after power-on, whatever the device is doing; the frame buffer keeps its
     /// contents. The ready word waits for the host. Beyond the thesis.
     pub fn reset_now(&mut self) {
-        self.flush();
-        self.core.reset();
+        self.core_mut().reset();
         self.mode = Mode::Command;
         self.params.clear();
         self.replies = Replies::default();

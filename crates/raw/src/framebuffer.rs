@@ -77,10 +77,19 @@ impl FrameBuffer {
         &self.pages[self.index(front)]
     }
 
-    /// The words of the back page and of the front page, to change them.
-    pub fn both_pages(&mut self) -> (&mut [u32], &mut [u32]) {
-        let [zero, one] = &mut self.pages;
-        if self.shown == 1 { (zero, one) } else { (one, zero) }
+    /// The number of the back page, or of the front page: 0 or 1.
+    pub fn page_number(&self, front: bool) -> usize {
+        self.index(front)
+    }
+
+    /// The words of the page of that number.
+    pub(crate) fn numbered(&self, number: usize) -> &[u32] {
+        &self.pages[number]
+    }
+
+    /// The words of the page of that number, to change them.
+    pub(crate) fn numbered_mut(&mut self, number: usize) -> &mut [u32] {
+        &mut self.pages[number]
     }
 
     fn index(&self, front: bool) -> usize {

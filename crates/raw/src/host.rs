@@ -58,7 +58,7 @@ pub enum HostError {
 }
 
 /// A device behind its host interface.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Host<O = ()> {
     device: Device<O>,
     expect: Expect,

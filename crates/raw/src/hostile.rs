@@ -32,6 +32,45 @@ pub fn feed(bytes: &[u8]) {
     }
 }
 
+/// Numbers that are the same on every machine: xorshift.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0
+    }
+}
+
+/// What to feed for a seed, up to 400 bytes; seeds in a row go every way in.
+pub fn stream(seed: u64) -> Vec<u8> {
+    let mut random = Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
+    let length = random.next() % 400;
+    let mut bytes = vec![(seed % 8) as u8 | (random.next() as u8 & 0x80)];
+    // Half of the streams enter a scene first and send triangles between the nonsense.
+    if random.next().is_multiple_of(2) {
+        bytes.extend([0xc0, 100, 102]);
+    }
+    while (bytes.len() as u64) < length {
+        match random.next() % 8 {
+            0 => triangle(&mut bytes, &mut random),
+            _ => bytes.push(random.next() as u8),
+        }
+    }
+    bytes
+}
+
+/// Three framed vertices and an end marker.
+fn triangle(bytes: &mut Vec<u8>, random: &mut Random) {
+    for _ in 0..3 {
+        bytes.extend([6, 3]);
+        (0..5).for_each(|_| bytes.push(0x80 | random.next() as u8 & 0x3f));
+    }
+    bytes.push(0);
+}
+
 fn records(stream: Vec<u8>, config: Config, build: Build) {
     let reader = RecordReader::new(io::Cursor::new(stream), Repair::NextLine);
     serve::serve(build, config, reader, io::sink(), |_| {});

@@ -16,7 +16,6 @@ mod context;
 pub mod device;
 mod errata;
 mod error;
-pub mod fast;
 pub mod framebuffer;
 pub mod host;
 #[doc(hidden)]
@@ -24,6 +23,7 @@ pub mod hostile;
 pub mod matrix;
 pub mod observer;
 pub mod opcode;
+mod painter;
 pub mod protocol;
 pub mod scenes;
 pub mod serve;
@@ -32,6 +32,9 @@ pub mod stage;
 pub mod state;
 pub mod stream;
 pub mod texture;
+
+pub use fillrate_engine::target::TileSize;
+pub use fillrate_simd::Level;
 
 pub use context::{Context, Report, Shown, shown};
 pub use device::{Config, Device};

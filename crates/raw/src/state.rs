@@ -215,6 +215,13 @@ pub struct PrimInfo {
     pub point_size: u32,
 }
 
+impl PrimInfo {
+    /// Whether fragments of both are drawn alike; the order is another matter.
+    pub fn draws_like(&self, other: &Self) -> bool {
+        *self == Self { seq_num: self.seq_num, ..*other }
+    }
+}
+
 impl Default for PrimInfo {
     fn default() -> Self {
         Self {

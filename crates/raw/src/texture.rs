@@ -89,6 +89,7 @@ impl TextureManager {
     pub fn reset(&mut self) {
         self.entries.fill(None);
         self.order.clear();
+        self.changes += 1;
         if !self.errata.uploads_stay_cached {
             (0..self.versions.len()).for_each(|id| self.touch(id));
         }
@@ -172,6 +173,7 @@ impl TextureManager {
     pub fn upload_word(&mut self, id: u32, index: usize, texel: u32) {
         if let Some(texture) = self.get(id).filter(|t| index < t.words()) {
             self.memory[texture.begin + index] = texel;
+            self.changes += 1;
             if !self.errata.uploads_stay_cached {
                 self.touch(id as usize);
             }
@@ -191,13 +193,29 @@ impl TextureManager {
         (version, words)
     }
 
+    /// Counts what may have changed texels or where they are.
+    pub fn changes(&self) -> u64 {
+        self.changes
+    }
+
+    /// Width and height of each level of a texture, and its texels level after level.
+    pub fn texels(&self, id: u32) -> Option<(Vec<[u32; 2]>, &[u32])> {
+        let texture = self.get(id)?;
+        let sizes = (0..texture.levels)
+            .map(|level| level_size(texture.width, texture.height, level))
+            .collect();
+        Some((sizes, &self.memory[texture.begin..texture.begin + texture.words()]))
+    }
+
     /// Takes the table of another manager, but none of its texels.
     pub fn adopt_table(&mut self, other: &Self) {
+        self.changes += 1;
         self.entries.clone_from(&other.entries);
     }
 
     /// Takes the cache line around a word from another manager.
     pub fn copy_line(&mut self, other: &Self, word: usize) {
+        self.changes += 1;
         let from = word & !7;
         let to = (from + 8).min(self.memory.len()).min(other.memory.len());
         self.memory[from..to].copy_from_slice(&other.memory[from..to]);

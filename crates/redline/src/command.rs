@@ -103,6 +103,12 @@ pub trait CommandSink {
     /// [`VError::CmdBufferNoDmaEntries`], [`VError::ParamError`] for blocks that
     /// are too long or whose offset is no multiple of 4.
     fn add_dma(&mut self, block: DmaBlock) -> Result<(), VError>;
+
+    /// Whether the board knows vertices with specular colours. Recording for
+    /// boards that do not refuses them.
+    fn has_specular(&self) -> bool {
+        true
+    }
 }
 
 /// Where the memory of DMA blocks is found.
@@ -182,6 +188,14 @@ pub struct CommandBuffer {
     entries: [usize; 2],
 }
 
+/// A place in what was recorded; see [`CommandBuffer::mark`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Mark {
+    words: usize,
+    blocks: usize,
+    entries: usize,
+}
+
 /// A DMA block, after so many words of the list.
 #[derive(Clone, Copy, Debug)]
 struct Entry {
@@ -213,6 +227,19 @@ impl CommandBuffer {
         self.used = 0;
         self.dma.clear();
         self.entries[0] = 0;
+    }
+
+    /// How much is recorded, to go back to.
+    pub fn mark(&self) -> Mark {
+        Mark { words: self.used, blocks: self.dma.len(), entries: self.entries[0] }
+    }
+
+    /// Forgets what was recorded after a mark, so that a command that failed
+    /// half-way leaves nothing behind.
+    pub fn rewind(&mut self, mark: Mark) {
+        self.used = self.used.min(mark.words);
+        self.dma.truncate(mark.blocks);
+        self.entries[0] = self.entries[0].min(mark.entries);
     }
 
     /// Words and DMA entries that are free (`V_GetCmdBufferFreeSpace`).
@@ -326,6 +353,11 @@ mod tests {
         assert_eq!(buffer.free_space(), (5, 3));
         assert_eq!(buffer.reserve(6, 0), Err(VError::CmdBufferTooSmall));
         assert_eq!(buffer.reserve(0, 4), Err(VError::CmdBufferNoDmaEntries));
+        let mark = buffer.mark();
+        buffer.reserve(3, 0).unwrap();
+        add_to_dma_list(&mut buffer, block).unwrap();
+        buffer.rewind(mark);
+        assert_eq!((buffer.free_space(), buffer.words()), ((5, 3), &[1, 2, 3][..]));
         buffer.reset();
         assert!(buffer.is_empty());
         assert_eq!(buffer.free_space(), (8, 4));

@@ -118,6 +118,11 @@ impl Context {
         self.devices.contains_key(&device)
     }
 
+    /// Whether command buffers are read by the board itself (`V_GetUseDMA`).
+    pub fn uses_dma(&self, device: u32) -> bool {
+        self.is_open(device)
+    }
+
     /// Names of extensions, with spaces around each (`VL_GetExtensions`).
     pub fn extensions(&self, device: u32) -> Option<&'static str> {
         self.devices.get(&device).map(|device| device.config().chip.extensions())

@@ -170,21 +170,11 @@ pub fn pack(format: PixFmt, argb: u32) -> u32 {
 pub fn swap_red_blue(format: PixFmt, pixel: u32) -> u32 {
     let [_, r, g, b] = format.channels();
     if r != b || r == 0 || format == PixFmt::Gray8 || format == PixFmt::Yuv422 {
-        return match format {
-            PixFmt::Rgb332 => swap_332(pixel),
-            _ => pixel,
-        };
+        return pixel;
     }
     let mask = (1u32 << b) - 1;
     let (blue, red) = (pixel & mask, pixel >> (b + g) & mask);
     pixel & !(mask | mask << (b + g)) | red | blue << (b + g)
-}
-
-/// 332 in the order blue, green, red: the low three bits are red, the high two
-/// blue.
-fn swap_332(pixel: u32) -> u32 {
-    let [_, r, g, b] = [0, pixel >> 5 & 7, pixel >> 2 & 7, pixel & 3];
-    b << 6 | g << 3 | r
 }
 
 /// One pixel of 4:2:2, BT.601 studio range, as 0xAARRGGBB.

@@ -35,9 +35,11 @@
 
 pub mod board;
 pub mod command;
+pub mod cost;
 pub mod error;
 pub mod format;
 pub mod lock;
+pub mod memory;
 pub mod opcode;
 pub mod record;
 pub mod stream;
@@ -50,6 +52,7 @@ mod chip;
 mod config;
 mod context;
 mod device;
+mod ring;
 mod worker;
 
 pub use board::Chip;
@@ -62,7 +65,9 @@ pub use context::{BoardInfo, Context, MAX_DEVICES};
 pub use device::{FULL_SCREEN, Shown, WINDOWED};
 pub use error::{Failure, Fault, Result, VError, VRoutine, VlError, VlRoutine};
 pub use format::PixFmt;
+pub use memory::MemoryObjects;
 pub use opcode::{Opcode, Register};
+pub use ring::Ring;
 pub use stream::{Command, Commands, StreamError};
 pub use surface::{BufferGroup, Surface};
 pub use vertex::VertexType;

@@ -13,6 +13,7 @@ pub(crate) struct Layer {
     pub board: Board,
     pub output: Output,
     pub improve: Improve,
+    pub verite: Verite,
     /// Boards by name.
     pub cards: BTreeMap<String, CardTable>,
     /// The original library's variables.
@@ -53,6 +54,17 @@ pub(crate) struct Improve {
     pub scale: Option<u64>,
     pub color32: Option<bool>,
     pub supersample: Option<bool>,
+}
+
+/// RRedline's board.
+#[derive(Clone, Debug, Default, Deserialize, PartialEq)]
+#[serde(deny_unknown_fields, default)]
+pub(crate) struct Verite {
+    pub chip: Option<String>,
+    pub memory: Option<u64>,
+    pub desktop: Option<String>,
+    pub blit_source_first: Option<bool>,
+    pub speed_of_light: Option<bool>,
 }
 
 /// A board.
@@ -124,6 +136,11 @@ impl Layer {
             "COLOR32" => self.improve.color32 = Some(switch()?),
             "SUPERSAMPLE" => self.improve.supersample = Some(switch()?),
             "GAMMA" => self.output.gamma = Some(switch()?),
+            "VERITE_CHIP" => self.verite.chip = Some(text.to_string()),
+            "VERITE_MEMORY" => self.verite.memory = Some(number()?),
+            "VERITE_DESKTOP" => self.verite.desktop = Some(text.to_string()),
+            "VERITE_BLIT_SOURCE_FIRST" => self.verite.blit_source_first = Some(switch()?),
+            "SPEED_OF_LIGHT" => self.verite.speed_of_light = Some(switch()?),
             "FILTER" => self.output.filter = Some(switch()?),
             _ => {}
         }
@@ -138,6 +155,10 @@ impl Layer {
             self.output, later.output; trace, capture, every, exit_after, gamma, filter
         );
         override_fields!(self.improve, later.improve; scale, color32, supersample);
+        override_fields!(
+            self.verite, later.verite;
+            chip, memory, desktop, blit_source_first, speed_of_light
+        );
         self.cards.append(&mut later.cards);
         self.variables.append(&mut later.variables);
         self

@@ -7,9 +7,10 @@ use fillrate_engine::DeviceConfig;
 use fillrate_engine::target::TileSize;
 use fillrate_glide::card::{CARDS, Card};
 use fillrate_glide::{GlideConfig, Improvements, MAX_SCALE, ScanOut};
+use fillrate_redline::{Chip, RedlineConfig};
 use fillrate_simd::Level;
 
-use crate::layer::{CardTable, Layer};
+use crate::layer::{CardTable, Layer, Verite};
 
 /// The file's name.
 const FILE: &str = "fillrate.toml";
@@ -19,6 +20,11 @@ const FILE: &str = "fillrate.toml";
 pub struct Settings {
     /// How the library works.
     pub glide: GlideConfig,
+    /// RRedline's board, and how it draws.
+    pub redline: RedlineConfig,
+    /// RRedline's command buffers are dropped instead of issued, which measures
+    /// the program alone.
+    pub speed_of_light: bool,
     /// Record every call here.
     pub trace: Option<PathBuf>,
     /// Write frames and their log here.
@@ -98,9 +104,12 @@ impl Settings {
         let mut layer = layer.overridden_by(Layer::from_variables(variables, &mut problems));
         layer.board.check = Some(layer.board.check.unwrap_or(check));
         let glide = glide(&layer, &mut problems);
+        let redline = redline(&layer.verite, glide.device.clone(), &mut problems);
         let output = layer.output;
         Settings {
             glide,
+            redline,
+            speed_of_light: layer.verite.speed_of_light.unwrap_or(false),
             trace: output.trace,
             capture: output.capture,
             every: output.every.unwrap_or(1),
@@ -144,6 +153,36 @@ fn glide(layer: &Layer, problems: &mut Vec<String>) -> GlideConfig {
         splash: board.splash.unwrap_or(default.splash),
         improve: improvements(layer, problems),
         variables: layer.variables.clone(),
+    }
+}
+
+fn redline(verite: &Verite, device: DeviceConfig, problems: &mut Vec<String>) -> RedlineConfig {
+    let default = RedlineConfig::default();
+    let chip = verite.chip.as_deref().and_then(|name| {
+        let chip = Chip::by_name(name);
+        if chip.is_none() {
+            problems.push(format!("chip = {name} is not used: it is v1000 or v2000"));
+        }
+        chip
+    });
+    let desktop = verite.desktop.as_deref().and_then(|text| {
+        let sides =
+            text.split_once('x').and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
+        let sides = sides.filter(|(w, h)| (1..=2048).contains(w) && (1..=2048).contains(h));
+        if sides.is_none() {
+            problems.push(format!("desktop = {text} is not used: it is 1x1 to 2048x2048"));
+        }
+        sides
+    });
+    let memory = |n: u64| matches!(n, 4 | 8).then_some(n as u32);
+    RedlineConfig {
+        chip: chip.unwrap_or(default.chip),
+        memory: within("memory", verite.memory, memory, "boards have 4 or 8 MB", problems)
+            .unwrap_or(default.memory),
+        desktop: desktop.unwrap_or(default.desktop),
+        blit_source_first: verite.blit_source_first.unwrap_or(default.blit_source_first),
+        device,
+        ..default
     }
 }
 
@@ -254,6 +293,12 @@ mod tests {
         scale = 3
         color32 = true
         supersample = true
+        [verite]
+        chip = \"v1000\"
+        memory = 8
+        desktop = \"800x600\"
+        blit_source_first = true
+        speed_of_light = true
         [variables]
         SST_GAMMA = \"1.3\"
     ";
@@ -273,6 +318,10 @@ mod tests {
         assert_eq!(s.capture, Some("frames".into()));
         let improve = Improvements { scale: 3, color32: true, supersample: true };
         assert_eq!(s.glide.improve, improve);
+        let redline = &s.redline;
+        assert_eq!((redline.chip, redline.memory), (Chip::V1000, 8));
+        assert_eq!((redline.desktop, redline.device.threads), ((800, 600), 3));
+        assert!(redline.blit_source_first && s.speed_of_light);
     }
 
     #[test]
@@ -304,6 +353,9 @@ mod tests {
             ("[board]\ncard = \"x\"", &[], "boards are"),
             ("[cards.x]\nframe_buffer=3\nunits=1\ntexture=2\n[board]\ncard=\"x\"", &[], "board x"),
             ("", &[("FILLRATE_TILE", "48")], "tile = 48"),
+            ("", &[("FILLRATE_VERITE_CHIP", "v9000")], "chip = v9000"),
+            ("", &[("FILLRATE_VERITE_MEMORY", "5")], "memory = 5"),
+            ("", &[("FILLRATE_VERITE_DESKTOP", "800")], "desktop = 800"),
             ("", &[("FILLRATE_SCALE", "5")], "scale = 5"),
             ("", &[("FILLRATE_SIMD", "mmx")], "simd = mmx"),
             ("", &[("FILLRATE_EVERY", "-1")], "FILLRATE_EVERY=-1"),

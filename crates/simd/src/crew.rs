@@ -11,7 +11,7 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
 
 /// What a round works on, once its lifetime is left out.
-type Work = dyn Fn() + Sync + 'static;
+type Work = dyn Fn(usize) + Sync + 'static;
 
 /// A round's closure, its lifetime left out.
 #[derive(Clone, Copy)]
@@ -85,31 +85,33 @@ impl Crew {
         for i in 0..helpers {
             let shared = crew.shared.clone();
             let thread = thread::Builder::new().name(format!("fillrate-{i}"));
-            crew.helpers.push(thread.spawn(move || help(&shared, patience))?);
+            crew.helpers.push(thread.spawn(move || help(&shared, patience, i + 1))?);
         }
         Ok(crew)
     }
 
     /// Runs `work` on the caller and on every helper that wakes up while it
-    /// lasts, and returns when all have come back from it. A second caller
+    /// lasts, and returns when all have come back from it. `work` is told who it
+    /// is: 0 the caller, a helper's number otherwise. A second caller
     /// waits for its turn; `work` itself must not call this.
     ///
     /// # Panics
     /// Where `work` panics on any thread.
-    pub fn together(&self, work: &(dyn Fn() + Sync)) {
+    pub fn together(&self, work: &(dyn Fn(usize) + Sync)) {
         let turn = self.turn.lock().unwrap_or_else(PoisonError::into_inner);
         // SAFETY: only the lifetime changes. `work` outlives the round: no helper
         // takes it once it is removed below, and this waits for those that did,
         // also where the caller's own part panics.
-        let lent =
-            unsafe { core::mem::transmute::<*const (dyn Fn() + Sync + '_), *const Work>(work) };
+        let lent = unsafe {
+            core::mem::transmute::<*const (dyn Fn(usize) + Sync + '_), *const Work>(work)
+        };
         let mut state = self.shared.lock();
         state.work = Some(Lent(lent));
         self.shared.round.fetch_add(1, Ordering::Relaxed);
         drop(state);
         self.shared.start.notify_all();
 
-        let own = catch_unwind(AssertUnwindSafe(work));
+        let own = catch_unwind(AssertUnwindSafe(|| work(0)));
 
         let mut state = self.shared.lock();
         state.work = None;
@@ -138,7 +140,7 @@ impl Drop for Crew {
 }
 
 /// A helper's life.
-fn help(shared: &Shared, patience: u32) {
+fn help(shared: &Shared, patience: u32, number: usize) {
     let mut seen = 0;
     loop {
         for _ in 0..patience {
@@ -165,7 +167,7 @@ fn help(shared: &Shared, patience: u32) {
         state.working += 1;
         drop(state);
         // SAFETY: the round cannot end while `working` counts this helper.
-        let result = catch_unwind(AssertUnwindSafe(|| unsafe { (*work.0)() }));
+        let result = catch_unwind(AssertUnwindSafe(|| unsafe { (*work.0)(number) }));
         let mut state = shared.lock();
         state.working -= 1;
         state.panicked |= result.is_err();
@@ -187,7 +189,7 @@ mod tests {
         for round in 0..2000usize {
             let items = round % 7;
             let (next, done) = (AtomicUsize::new(0), Mutex::new(vec![0; items]));
-            crew.together(&|| {
+            crew.together(&|_| {
                 loop {
                     let item = next.fetch_add(1, Ordering::Relaxed);
                     if item >= items {
@@ -205,7 +207,7 @@ mod tests {
     fn rounds_are_shared() {
         let crew = Crew::new(2).unwrap();
         let present = AtomicUsize::new(0);
-        crew.together(&|| {
+        crew.together(&|_| {
             present.fetch_add(1, Ordering::SeqCst);
             while present.load(Ordering::SeqCst) < 3 {
                 thread::yield_now();
@@ -223,7 +225,7 @@ mod tests {
             let main = thread::current().id();
             let helped = AtomicUsize::new(0);
             let result = catch_unwind(AssertUnwindSafe(|| {
-                crew.together(&|| {
+                crew.together(&|_| {
                     let here = thread::current().id() == main;
                     helped.fetch_add(usize::from(!here), Ordering::SeqCst);
                     while helped.load(Ordering::SeqCst) < 2 {
@@ -234,7 +236,7 @@ mod tests {
             }));
             assert!(result.is_err());
             let count = AtomicUsize::new(0);
-            crew.together(&|| {
+            crew.together(&|_| {
                 count.fetch_add(1, Ordering::SeqCst);
             });
             assert!(count.into_inner() >= 1);
@@ -251,7 +253,7 @@ mod tests {
                 scope.spawn(|| {
                     for _ in 0..200 {
                         let mine = AtomicUsize::new(0);
-                        crew.together(&|| {
+                        crew.together(&|_| {
                             if mine.fetch_add(1, Ordering::SeqCst) == 0 {
                                 assert_eq!(inside.fetch_add(1, Ordering::SeqCst), 0);
                                 inside.fetch_sub(1, Ordering::SeqCst);

@@ -25,6 +25,8 @@ pub trait Simd: Copy + Send + Sync + 'static {
     type I: IntLanes<M = Self::M>;
     /// 64-bit floats, as many as there are 32-bit lanes.
     type F: FloatLanes<I = Self::I, M = Self::M>;
+    /// 32-bit floats, one for each 32-bit integer.
+    type G: SingleLanes<I = Self::I, M = Self::M>;
     /// One yes or no for each lane.
     type M: MaskLanes;
 
@@ -49,6 +51,12 @@ pub trait Simd: Copy + Send + Sync + 'static {
     fn load_f(self, from: &[f64]) -> Self::F;
     /// Stores into the first `LANES` floats of `to`.
     fn store_f(self, lanes: Self::F, to: &mut [f64]);
+    /// The same 32-bit float in every lane.
+    fn splat_g(self, value: f32) -> Self::G;
+    /// Loads the first `LANES` floats of `from`; it must hold that many.
+    fn load_g(self, from: &[f32]) -> Self::G;
+    /// Stores into the first `LANES` floats of `to`; it must hold that many.
+    fn store_g(self, lanes: Self::G, to: &mut [f32]);
     /// Lane `i` is on when bit `i` of `bits` is set. Higher bits are ignored.
     fn mask(self, bits: u32) -> Self::M;
     /// Entry `index & 15` of `table`, lane by lane.
@@ -152,6 +160,34 @@ pub trait FloatLanes:
     /// The high words of the floats' bit patterns: sign, exponent and the
     /// first 20 bits of the mantissa.
     fn high_word(self) -> Self::I;
+}
+
+/// 32-bit float lanes, as many as there are integers. Only correctly rounded
+/// operations exist; subnormal numbers are kept.
+pub trait SingleLanes:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    /// The integer lanes of the same level.
+    type I: IntLanes<M = Self::M>;
+    /// The mask that comparisons return.
+    type M: MaskLanes;
+
+    /// The bit patterns.
+    fn to_bits(self) -> Self::I;
+    /// The floats of these bit patterns.
+    fn from_bits(bits: Self::I) -> Self;
+    /// Integers, rounded to the nearest float, ties to even.
+    fn from_i32(lanes: Self::I) -> Self;
+    /// Rounded towards zero, limited to the range of `i32`; 0 where the lane
+    /// is not a number.
+    fn to_i32(self) -> Self::I;
+    /// Lanes where `self < other`; false where either is not a number.
+    fn lt(self, other: Self) -> Self::M;
+    /// Lanes of `self` where `mask` is on, of `other` elsewhere.
+    #[inline(always)]
+    fn select(self, other: Self, mask: Self::M) -> Self {
+        Self::from_bits(self.to_bits().select(other.to_bits(), mask))
+    }
 }
 
 /// One yes or no for each lane.

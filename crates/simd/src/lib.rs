@@ -4,7 +4,8 @@
 //! vectors, each holding a pair of 16-bit channels in every lane: (red, blue)
 //! and (green, alpha), the first of a pair in the low half. Coordinates that
 //! need more than 32 bits are `f64` lanes holding integers below 2^53, which
-//! is exact on every machine.
+//! is exact on every machine. Where a source computes in single precision,
+//! there are `f32` lanes.
 //!
 //! An algorithm is written once, generic over [`Simd`], and entered through
 //! [`Level::dispatch`] or [`Simd::vectorize`]. Every level gives the same
@@ -31,7 +32,7 @@ mod wasm;
 mod x86;
 
 pub use crew::Crew;
-pub use lanes::{FloatLanes, IntLanes, Kernel, MaskLanes, Simd};
+pub use lanes::{FloatLanes, IntLanes, Kernel, MaskLanes, Simd, SingleLanes};
 pub use level::{Level, UnknownLevel};
 pub use scalar::Scalar;
 
@@ -52,6 +53,25 @@ pub fn prefetch<T>(value: &T) {
     }
     #[cfg(not(target_arch = "x86_64"))]
     let _ = value;
+}
+
+/// Truncates floats within the range of `i32` toward zero; others give no fixed
+/// value. Rust's conversion, which limits them, is many instructions a float.
+#[inline(always)]
+pub fn truncate(values: [f32; 4]) -> [i32; 4] {
+    #[cfg(target_arch = "x86_64")]
+    {
+        use core::arch::x86_64::{_mm_cvttps_epi32, _mm_loadu_ps, _mm_storeu_si128};
+        let mut out = [0; 4];
+        // SAFETY: SSE2 is part of x86-64; both arrays hold 16 bytes.
+        unsafe {
+            let lanes = _mm_cvttps_epi32(_mm_loadu_ps(values.as_ptr()));
+            _mm_storeu_si128(out.as_mut_ptr().cast(), lanes);
+        }
+        out
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    values.map(|value| value as i32)
 }
 
 /// The index of the last entry of a table that `load_pairs` reads, or the

@@ -7,7 +7,7 @@
 
 use core::arch::aarch64::*;
 
-use crate::{FloatLanes, IntLanes, Kernel, Level, MaskLanes, Simd};
+use crate::{FloatLanes, IntLanes, Kernel, Level, MaskLanes, Simd, SingleLanes};
 
 /// The token of the NEON level.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +19,9 @@ pub struct I(int32x4_t);
 /// Four floats.
 #[derive(Clone, Copy)]
 pub struct F(float64x2_t, float64x2_t);
+/// Four 32-bit floats.
+#[derive(Clone, Copy)]
+pub struct G(float32x4_t);
 /// Four switches, all ones or zero.
 #[derive(Clone, Copy)]
 pub struct M(uint32x4_t);
@@ -49,6 +52,7 @@ impl Simd for Neon {
     const LEVEL: Level = Level::Neon;
     type I = I;
     type F = F;
+    type G = G;
     type M = M;
 
     #[inline(always)]
@@ -112,6 +116,23 @@ impl Simd for Neon {
             vst1q_f64(to.as_mut_ptr(), lanes.0);
             vst1q_f64(to.as_mut_ptr().add(2), lanes.1);
         }
+    }
+    #[inline(always)]
+    fn splat_g(self, value: f32) -> G {
+        // SAFETY: NEON.
+        G(unsafe { vdupq_n_f32(value) })
+    }
+    #[inline(always)]
+    fn load_g(self, from: &[f32]) -> G {
+        let from = &from[..4];
+        // SAFETY: the slice holds 16 bytes.
+        G(unsafe { vld1q_f32(from.as_ptr()) })
+    }
+    #[inline(always)]
+    fn store_g(self, lanes: G, to: &mut [f32]) {
+        let to = &mut to[..4];
+        // SAFETY: the slice holds 16 bytes.
+        unsafe { vst1q_f32(to.as_mut_ptr(), lanes.0) }
     }
     #[inline(always)]
     fn mask(self, bits: u32) -> M {
@@ -303,6 +324,37 @@ impl FloatLanes for F {
     }
 }
 
+impl SingleLanes for G {
+    type I = I;
+    type M = M;
+
+    #[inline(always)]
+    fn to_bits(self) -> I {
+        // SAFETY: NEON.
+        I(unsafe { vreinterpretq_s32_f32(self.0) })
+    }
+    #[inline(always)]
+    fn from_bits(bits: I) -> G {
+        // SAFETY: NEON.
+        G(unsafe { vreinterpretq_f32_s32(bits.0) })
+    }
+    #[inline(always)]
+    fn from_i32(lanes: I) -> G {
+        // SAFETY: NEON.
+        G(unsafe { vcvtq_f32_s32(lanes.0) })
+    }
+    #[inline(always)]
+    fn to_i32(self) -> I {
+        // SAFETY: NEON. The conversion limits, and gives 0 for no number.
+        I(unsafe { vcvtq_s32_f32(self.0) })
+    }
+    #[inline(always)]
+    fn lt(self, other: G) -> M {
+        // SAFETY: NEON.
+        M(unsafe { vcltq_f32(self.0, other.0) })
+    }
+}
+
 impl MaskLanes for M {
     #[inline(always)]
     fn bits(self) -> u32 {
@@ -336,5 +388,9 @@ operator!(F, Add, add, vaddq_f64, 1);
 operator!(F, Sub, sub, vsubq_f64, 1);
 operator!(F, Mul, mul, vmulq_f64, 1);
 operator!(F, Div, div, vdivq_f64, 1);
+operator!(G, Add, add, vaddq_f32);
+operator!(G, Sub, sub, vsubq_f32);
+operator!(G, Mul, mul, vmulq_f32);
+operator!(G, Div, div, vdivq_f32);
 operator!(M, BitAnd, bitand, vandq_u32);
 operator!(M, BitOr, bitor, vorrq_u32);

@@ -3,7 +3,7 @@
 use core::array::from_fn;
 use core::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Sub};
 
-use crate::{FloatLanes, IntLanes, Kernel, Level, MaskLanes, Simd};
+use crate::{FloatLanes, IntLanes, Kernel, Level, MaskLanes, Simd, SingleLanes};
 
 /// Lanes of the scalar level: four, so that dither phases and stamps fit.
 const N: usize = 4;
@@ -18,6 +18,9 @@ pub struct I4([i32; N]);
 /// Four floats.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct F4([f64; N]);
+/// Four 32-bit floats.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct G4([f32; N]);
 /// Four switches, one bit each.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct M4(u32);
@@ -47,6 +50,7 @@ impl Simd for Scalar {
     const LEVEL: Level = Level::Scalar;
     type I = I4;
     type F = F4;
+    type G = G4;
     type M = M4;
 
     #[inline(always)]
@@ -95,6 +99,18 @@ impl Simd for Scalar {
     }
     #[inline(always)]
     fn store_f(self, lanes: F4, to: &mut [f64]) {
+        to[..N].copy_from_slice(&lanes.0);
+    }
+    #[inline(always)]
+    fn splat_g(self, value: f32) -> G4 {
+        G4([value; N])
+    }
+    #[inline(always)]
+    fn load_g(self, from: &[f32]) -> G4 {
+        G4(from_fn(|i| from[i]))
+    }
+    #[inline(always)]
+    fn store_g(self, lanes: G4, to: &mut [f32]) {
         to[..N].copy_from_slice(&lanes.0);
     }
     #[inline(always)]
@@ -234,6 +250,32 @@ impl FloatLanes for F4 {
     }
 }
 
+impl SingleLanes for G4 {
+    type I = I4;
+    type M = M4;
+
+    #[inline(always)]
+    fn to_bits(self) -> I4 {
+        lanes(|i| self.0[i].to_bits() as i32)
+    }
+    #[inline(always)]
+    fn from_bits(bits: I4) -> G4 {
+        G4(bits.0.map(|bits| f32::from_bits(bits as u32)))
+    }
+    #[inline(always)]
+    fn from_i32(lanes: I4) -> G4 {
+        G4(lanes.0.map(|lane| lane as f32))
+    }
+    #[inline(always)]
+    fn to_i32(self) -> I4 {
+        lanes(|i| self.0[i] as i32)
+    }
+    #[inline(always)]
+    fn lt(self, other: G4) -> M4 {
+        switches(|i| self.0[i] < other.0[i])
+    }
+}
+
 impl MaskLanes for M4 {
     #[inline(always)]
     fn bits(self) -> u32 {
@@ -261,6 +303,10 @@ operator!(F4, Add, add, |a, b| a + b);
 operator!(F4, Sub, sub, |a, b| a - b);
 operator!(F4, Mul, mul, |a, b| a * b);
 operator!(F4, Div, div, |a, b| a / b);
+operator!(G4, Add, add, |a, b| a + b);
+operator!(G4, Sub, sub, |a, b| a - b);
+operator!(G4, Mul, mul, |a, b| a * b);
+operator!(G4, Div, div, |a, b| a / b);
 
 impl BitAnd for M4 {
     type Output = M4;

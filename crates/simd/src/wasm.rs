@@ -6,7 +6,7 @@
 
 use core::arch::wasm32::*;
 
-use crate::{FloatLanes, IntLanes, Kernel, Level, MaskLanes, Simd};
+use crate::{FloatLanes, IntLanes, Kernel, Level, MaskLanes, Simd, SingleLanes};
 
 /// The token of the simd128 level.
 #[derive(Clone, Copy, Debug)]
@@ -18,6 +18,9 @@ pub struct I(v128);
 /// Four floats.
 #[derive(Clone, Copy)]
 pub struct F(v128, v128);
+/// Four 32-bit floats.
+#[derive(Clone, Copy)]
+pub struct G(v128);
 /// Four switches, all ones or zero.
 #[derive(Clone, Copy)]
 pub struct M(v128);
@@ -47,6 +50,7 @@ impl Simd for Simd128 {
     const LEVEL: Level = Level::Simd128;
     type I = I;
     type F = F;
+    type G = G;
     type M = M;
 
     #[inline(always)]
@@ -110,6 +114,22 @@ impl Simd for Simd128 {
             v128_store(to.as_mut_ptr().cast(), lanes.0);
             v128_store(to.as_mut_ptr().add(2).cast(), lanes.1);
         }
+    }
+    #[inline(always)]
+    fn splat_g(self, value: f32) -> G {
+        G(f32x4_splat(value))
+    }
+    #[inline(always)]
+    fn load_g(self, from: &[f32]) -> G {
+        let from = &from[..4];
+        // SAFETY: the slice holds 16 bytes; the load takes any alignment.
+        G(unsafe { v128_load(from.as_ptr().cast()) })
+    }
+    #[inline(always)]
+    fn store_g(self, lanes: G, to: &mut [f32]) {
+        let to = &mut to[..4];
+        // SAFETY: the slice holds 16 bytes; the store takes any alignment.
+        unsafe { v128_store(to.as_mut_ptr().cast(), lanes.0) }
     }
     #[inline(always)]
     fn mask(self, bits: u32) -> M {
@@ -251,6 +271,32 @@ impl FloatLanes for F {
     }
 }
 
+impl SingleLanes for G {
+    type I = I;
+    type M = M;
+
+    #[inline(always)]
+    fn to_bits(self) -> I {
+        I(self.0)
+    }
+    #[inline(always)]
+    fn from_bits(bits: I) -> G {
+        G(bits.0)
+    }
+    #[inline(always)]
+    fn from_i32(lanes: I) -> G {
+        G(f32x4_convert_i32x4(lanes.0))
+    }
+    #[inline(always)]
+    fn to_i32(self) -> I {
+        I(i32x4_trunc_sat_f32x4(self.0))
+    }
+    #[inline(always)]
+    fn lt(self, other: G) -> M {
+        M(f32x4_lt(self.0, other.0))
+    }
+}
+
 impl MaskLanes for M {
     #[inline(always)]
     fn bits(self) -> u32 {
@@ -280,5 +326,9 @@ operator!(F, Add, add, f64x2_add, 1);
 operator!(F, Sub, sub, f64x2_sub, 1);
 operator!(F, Mul, mul, f64x2_mul, 1);
 operator!(F, Div, div, f64x2_div, 1);
+operator!(G, Add, add, f32x4_add);
+operator!(G, Sub, sub, f32x4_sub);
+operator!(G, Mul, mul, f32x4_mul);
+operator!(G, Div, div, f32x4_div);
 operator!(M, BitAnd, bitand, v128_and);
 operator!(M, BitOr, bitor, v128_or);

@@ -4,7 +4,7 @@
 
 use std::time::{Duration, Instant};
 
-use fillrate_testkit::fuzz::{Fuzzer, Target, input};
+use fillrate_testkit::fuzz::{Fuzzer, Target};
 
 /// The longest an execution may take.
 const LIMIT: Duration = Duration::from_secs(1);
@@ -24,14 +24,15 @@ fn main() {
     let mut arguments = std::env::args().skip(1);
     let name = arguments.next().unwrap_or_default();
     let Some(target) = Target::ALL.into_iter().find(|target| target.name() == name) else {
-        eprintln!("usage: fuzz calls|textures|files|quark [EXECUTIONS] [FIRST SEED]");
+        let names = Target::ALL.map(Target::name).join("|");
+        eprintln!("usage: fuzz {names} [EXECUTIONS] [FIRST SEED]");
         std::process::exit(2);
     };
     let (executions, first) = (number(arguments.next(), 100_000), number(arguments.next(), 1));
     let mut fuzzer = Fuzzer::new(target);
     let (started, mut longest) = (Instant::now(), (Duration::ZERO, first));
     for seed in first..first + executions {
-        let bytes = input(seed);
+        let bytes = target.input(seed);
         let before = Instant::now();
         let outcome = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| fuzzer.run(&bytes)));
         let took = before.elapsed();

@@ -4,6 +4,8 @@
 mod bytes;
 mod calls;
 mod quark;
+mod rave;
+mod redline;
 mod streams;
 mod textures;
 
@@ -13,6 +15,8 @@ use fillrate_glide::Context;
 pub use bytes::Bytes;
 pub use calls::any_call;
 pub use quark::{any_quark_call, run_quark};
+pub use rave::{any_rave_call, run_rave};
+pub use redline::{any_redline_call, any_redline_words, run_redline_calls, run_redline_words};
 pub use streams::{Left, context, run_stream};
 pub use textures::{run_file, run_texture};
 
@@ -29,11 +33,28 @@ pub enum Target {
     Files,
     /// Streams of Quark 3D's calls.
     Quark,
+    /// Streams of RAVE's calls.
+    Rave,
+    /// Streams of RRedline's words.
+    RedlineWords,
+    /// Streams of RRedline's calls.
+    RedlineCalls,
+    /// Words, records and calls of Raw, to its renderers and its simulator.
+    Raw,
 }
 
 impl Target {
     /// All of them.
-    pub const ALL: [Target; 4] = [Target::Calls, Target::Textures, Target::Files, Target::Quark];
+    pub const ALL: [Target; 8] = [
+        Target::Calls,
+        Target::Textures,
+        Target::Files,
+        Target::Quark,
+        Target::Rave,
+        Target::RedlineWords,
+        Target::RedlineCalls,
+        Target::Raw,
+    ];
 
     /// The name on command lines.
     pub fn name(self) -> &'static str {
@@ -42,6 +63,18 @@ impl Target {
             Target::Textures => "textures",
             Target::Files => "files",
             Target::Quark => "quark",
+            Target::Rave => "rave",
+            Target::RedlineWords => "redline-words",
+            Target::RedlineCalls => "redline-calls",
+            Target::Raw => "raw",
+        }
+    }
+
+    /// The input of a seed: up to 4 KiB.
+    pub fn input(self, seed: u64) -> Vec<u8> {
+        match self {
+            Target::Raw => fillrate_raw::hostile::stream(seed),
+            _ => input(seed),
         }
     }
 }
@@ -75,6 +108,10 @@ impl Fuzzer {
             Target::Textures => run_texture(context, bytes),
             Target::Files => run_file(bytes),
             Target::Quark => drop(run_quark(bytes, 1)),
+            Target::Rave => drop(run_rave(bytes, 1)),
+            Target::RedlineWords => drop(run_redline_words(bytes, 1)),
+            Target::RedlineCalls => drop(run_redline_calls(bytes, 1)),
+            Target::Raw => fillrate_raw::hostile::feed(bytes),
         }
     }
 }

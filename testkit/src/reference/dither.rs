@@ -73,9 +73,11 @@ pub fn pack(format: PixelFormat, argb: u32, dither: Dither, x: u32, row: u32) ->
         PixelFormat::Gray8 => (r * 77 + g * 150 + b * 29 + 128) / 256,
         PixelFormat::Alpha8 => a,
         PixelFormat::Xrgb8888 => argb % (1 << 24),
-        PixelFormat::Argb8888 | PixelFormat::Palette | PixelFormat::Aux16 | PixelFormat::Aux32 => {
-            argb
-        }
+        PixelFormat::Argb8888
+        | PixelFormat::Palette
+        | PixelFormat::Rgbx8888
+        | PixelFormat::Aux16
+        | PixelFormat::Aux32 => argb,
     }
 }
 
@@ -111,8 +113,10 @@ pub fn unpack(format: PixelFormat, element: u32) -> [i32; 4] {
             let [r, g, b, _] = channels(element);
             [r, g, b, 255]
         }
-        PixelFormat::Argb8888 | PixelFormat::Palette | PixelFormat::Aux16 | PixelFormat::Aux32 => {
-            channels(element)
-        }
+        PixelFormat::Argb8888
+        | PixelFormat::Palette
+        | PixelFormat::Rgbx8888
+        | PixelFormat::Aux16
+        | PixelFormat::Aux32 => channels(element),
     }
 }

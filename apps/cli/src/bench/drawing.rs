@@ -7,6 +7,7 @@ use fillrate_player::Frame;
 use super::board::Board;
 use super::measure::Job;
 use super::quark;
+use super::redline;
 use super::size::Size;
 use super::surfaces::Surfaces;
 use super::workload::Workload;
@@ -53,6 +54,15 @@ pub fn quark_job(name: &'static str, kind: quark::Kind, size: Size) -> Result<Jo
     };
     let unit = quark::unit(kind);
     Ok(Job { name, unit, format: "palette", size, kept: true, make: Box::new(make) })
+}
+
+/// The job of a workload of RRedline.
+pub fn redline_job(name: &'static str, kind: redline::Kind, size: Size) -> Job {
+    let make = move |device: DeviceConfig| -> Result<Box<dyn Drawing>> {
+        Ok(Box::new(redline::Prepared::new(kind, size, device)?))
+    };
+    let unit = redline::unit(kind);
+    Job { name, unit, format: "565", size, kept: true, make: Box::new(make) }
 }
 
 #[cfg(test)]

@@ -8,8 +8,8 @@ use core::ops::Range;
 
 use crate::device::arena::{Arena, Command, Run};
 use crate::setup::{
-    Edge, Extra, ExtraNeeds, Fate, Launch, Registers, Screen, Shape, Triangle, Triangles, prepare,
-    prepare_extra, prepare_palette, set_up,
+    Edge, Extra, ExtraNeeds, Fate, Launch, RawShape, Registers, Screen, Shape, Triangle, Triangles,
+    Values, prepare, prepare_extra, prepare_palette, prepare_raw, set_up,
 };
 use crate::state::Rect;
 use crate::stats::Counters;
@@ -23,6 +23,7 @@ pub(crate) const CHUNK: usize = 512;
 pub(crate) enum Entry {
     Triangle(u32),
     Shape(u32),
+    Raw(u32),
     Clear(u32),
     Pixels(u32),
 }
@@ -62,6 +63,9 @@ impl Grid {
 pub(crate) struct Chunk {
     pub triangles: Triangles,
     pub shapes: Vec<Shape>,
+    pub raws: Vec<RawShape>,
+    /// What walks of the Raw profile begin rows of tiles with.
+    pub raw_rows: Vec<f32>,
     pub counters: Counters,
     pairs: Vec<(u32, Entry)>,
     starts: Vec<u32>,
@@ -74,6 +78,8 @@ impl Chunk {
     pub fn build(&mut self, arena: &Arena, commands: Range<usize>, grid: &Grid) {
         self.triangles.clear();
         self.shapes.clear();
+        self.raws.clear();
+        self.raw_rows.clear();
         self.pairs.clear();
         self.counters = Counters::default();
         let mut launch = Launch::default();
@@ -97,6 +103,10 @@ impl Chunk {
                 Command::Palette { primitive, state } => {
                     self.counters.triangles_in += 1;
                     self.shape(arena, primitive, state, grid);
+                }
+                Command::Raw { primitive, state } => {
+                    self.counters.triangles_in += 1;
+                    self.raw(arena, primitive, state, grid);
                 }
                 Command::Clear(index) => {
                     let rect = arena.clears[index as usize].rect;
@@ -160,6 +170,30 @@ impl Chunk {
         let entry = Entry::Shape(self.shapes.len() as u32);
         add_edges(&mut self.pairs, &shape.bounds, shape.edges(), entry, grid);
         self.shapes.push(shape);
+    }
+
+    #[inline(always)]
+    fn raw(&mut self, arena: &Arena, primitive: u32, state: u32, grid: &Grid) {
+        let (primitive, draw) =
+            (&arena.raw_primitives[primitive as usize], &arena.raws[state as usize]);
+        let (screen, side) = (&grid.bounds, 1 << grid.bits);
+        let rows = &mut self.raw_rows;
+        let Some(shape) = prepare_raw(primitive, draw, state, screen, side, rows) else { return };
+        self.counters.triangles_drawn += 1;
+        let entry = Entry::Raw(self.raws.len() as u32);
+        let (columns, rows) = grid.touched(&shape.bounds);
+        for row in rows {
+            for tile in columns.clone().map(|column| row * grid.across + column) {
+                let missed = match &shape.values {
+                    Values::Walk(walk) => walk.misses(&shape.bounds, &grid.tile(tile as usize)),
+                    Values::Mix { .. } => false,
+                };
+                if !missed {
+                    self.pairs.push((tile, entry));
+                }
+            }
+        }
+        self.raws.push(shape);
     }
 
     fn add_rect(&mut self, rect: &Rect, entry: Entry, grid: &Grid) {

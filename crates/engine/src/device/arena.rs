@@ -6,8 +6,8 @@ use rustc_hash::FxHashMap;
 
 use super::ClearValues;
 use crate::kernel::Pipeline;
-use crate::setup::{Cull, PalettePrimitive, Registers, Screen, Vertex};
-use crate::state::{DrawState, MAX_TMUS, Origin, PaletteDraw, Rect};
+use crate::setup::{Cull, PalettePrimitive, RawPrimitive, Registers, Screen, Vertex};
+use crate::state::{DrawState, MAX_TMUS, Origin, PaletteDraw, RawDraw, Rect};
 use crate::target::{PixelFormat, Surface};
 use crate::texture::Texture;
 
@@ -20,6 +20,8 @@ pub(crate) enum Command {
     Launch { registers: u32, state: u32 },
     /// A primitive of the Quark profile.
     Palette { primitive: u32, state: u32 },
+    /// A primitive of the Raw profile.
+    Raw { primitive: u32, state: u32 },
     /// A rectangle to fill.
     Clear(u32),
     /// Ready-made fragments.
@@ -158,6 +160,7 @@ impl States {
         self.index.clear();
     }
 
+    #[inline]
     pub fn len(&self) -> usize {
         self.list.len()
     }
@@ -187,6 +190,8 @@ pub(crate) struct Arena {
     pub states: States,
     pub primitives: Vec<PalettePrimitive>,
     pub palettes: Vec<PaletteDraw>,
+    pub raw_primitives: Vec<RawPrimitive>,
+    pub raws: Vec<RawDraw>,
 }
 
 /// Commands after which an arena is drawn without being asked.
@@ -198,11 +203,13 @@ const MAX_PIXELS: usize = 1 << 20;
 
 impl Arena {
     /// Whether it should be drawn before more is added.
+    #[inline]
     pub fn is_full(&self) -> bool {
         self.commands.len() >= MAX_COMMANDS
             || self.pixels.len() >= MAX_PIXELS
             || self.states.len() >= MAX_STATES
             || self.palettes.len() >= MAX_STATES
+            || self.raws.len() >= MAX_STATES
     }
 
     /// Forgets everything but the states, and keeps the memory.
@@ -211,6 +218,7 @@ impl Arena {
         self.vertices.clear();
         self.registers.clear();
         self.primitives.clear();
+        self.raw_primitives.clear();
         self.clears.clear();
         self.runs.clear();
         self.pixels.clear();

@@ -2,9 +2,10 @@
 //!
 //! The caller works along with the crew's helpers; with one thread it works
 //! alone, through the same code. Work is handed out as exclusive references
-//! from a shared iterator, so nothing is locked while a tile is drawn.
+//! from shared iterators, so nothing is locked while a tile is drawn.
 
-use std::sync::{Mutex, PoisonError};
+use std::slice::IterMut;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use fillrate_simd::{Crew, Kernel, Level, Simd};
 
@@ -40,6 +41,9 @@ impl Device {
         if self.arena.palettes.len() > KEPT_STATES {
             self.arena.palettes.clear();
         }
+        if self.arena.raws.len() > KEPT_STATES {
+            self.arena.raws.clear();
+        }
     }
 
     /// Takes the target's surfaces out of their places while they are drawn.
@@ -67,7 +71,8 @@ impl Device {
         let arena = &self.arena;
         let helpers = self.crew.as_ref().filter(|_| count > 1);
         let level = self.config.level;
-        together(helpers, &|| level.dispatch(BinWork { arena, grid, next: &|| next(&queue) }));
+        let next = || lock(&queue).next();
+        together(helpers, &|_| level.dispatch(BinWork { arena, grid, next: &next }));
     }
 
     /// Draws all tiles.
@@ -81,16 +86,14 @@ impl Device {
         let chunks = &self.chunks[..count];
         let format = color.format();
         let total = Mutex::new(Counters::default());
-        let aux_cells = aux.as_mut().map_or(&mut [][..], |aux| &mut aux.cells[..]);
-        let aux_cells = aux_cells.iter_mut().map(Some).chain(core::iter::repeat_with(|| None));
-        let tiles = color.cells.iter_mut().zip(aux_cells).enumerate();
-        let tiles = tiles.filter(|(i, _)| chunks.iter().any(|chunk| !chunk.tile(*i).is_empty()));
-        let queue = Mutex::new(tiles);
+        let aux_cells = aux.as_mut().map(|aux| &mut aux.cells[..]);
+        let shares = self.crew.as_ref().map_or(1, |_| self.config.threads.min(SHARES));
+        let queue = TileQueue::new(&mut color.cells, aux_cells, shares);
         let (arena, level) = (&self.arena, self.config.level);
-        together(self.crew.as_ref(), &|| {
-            let work = TileWork { level, arena, grid, format, chunks, next: &|| next(&queue) };
-            let counters = work.run();
-            *total.lock().unwrap_or_else(PoisonError::into_inner) += counters;
+        together(self.crew.as_ref(), &|worker| {
+            let next = || queue.next(worker);
+            let counters = TileWork { level, arena, grid, format, chunks, next: &next }.run();
+            *lock(&total) += counters;
         });
         self.counters += total.into_inner().unwrap_or_else(PoisonError::into_inner);
         for chunk in chunks {
@@ -110,16 +113,75 @@ fn grid(color: &Surface, bits: u32) -> Grid {
     }
 }
 
-/// The next item of a shared iterator.
-fn next<I: Iterator>(queue: &Mutex<I>) -> Option<I::Item> {
-    queue.lock().unwrap_or_else(PoisonError::into_inner).next()
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Runs `work` on the caller and on the helpers, and waits for all.
-fn together(crew: Option<&Crew>, work: &(dyn Fn() + Sync)) {
+fn together(crew: Option<&Crew>, work: &(dyn Fn(usize) + Sync)) {
     match crew {
         Some(crew) => crew.together(work),
-        None => work(),
+        None => work(0),
+    }
+}
+
+/// The most shares of a target; more workers than that start at the same.
+const SHARES: usize = 16;
+
+/// The tiles of a target in equal shares. A worker begins with the same share
+/// batch after batch, so that most of its tiles are in its core's cache, and
+/// then helps with the ends of the others.
+struct TileQueue<'t> {
+    shares: [Mutex<Share<'t>>; SHARES],
+    /// Shares in use.
+    count: usize,
+}
+
+/// Tiles that wait.
+#[derive(Default)]
+struct Share<'t> {
+    /// Index of the first one.
+    first: usize,
+    color: IterMut<'t, TileCell>,
+    aux: Option<IterMut<'t, TileCell>>,
+}
+
+impl<'t> TileQueue<'t> {
+    fn new(
+        mut color: &'t mut [TileCell],
+        mut aux: Option<&'t mut [TileCell]>,
+        count: usize,
+    ) -> TileQueue<'t> {
+        let (tiles, count) = (color.len(), count.clamp(1, SHARES));
+        let shares = core::array::from_fn(|i| {
+            let [first, end] = [i, i + 1].map(|i| tiles * i.min(count) / count);
+            let color = color.split_off_mut(..end - first).unwrap_or_default();
+            let aux = aux.as_mut().and_then(|aux| aux.split_off_mut(..end - first));
+            Mutex::new(Share { first, color: color.iter_mut(), aux: aux.map(|aux| aux.iter_mut()) })
+        });
+        TileQueue { shares, count }
+    }
+
+    /// The next tile for a worker.
+    fn next(&self, worker: usize) -> Option<TileItem<'t>> {
+        let own = worker % self.count;
+        let others = (1..self.count).map(|i| (own + i) % self.count);
+        let next = lock(&self.shares[own]).next();
+        next.or_else(|| others.into_iter().find_map(|i| lock(&self.shares[i]).next_back()))
+    }
+}
+
+impl<'t> Share<'t> {
+    fn next(&mut self) -> Option<TileItem<'t>> {
+        let color = self.color.next()?;
+        self.first += 1;
+        Some((self.first - 1, (color, self.aux.as_mut().and_then(IterMut::next))))
+    }
+
+    fn next_back(&mut self) -> Option<TileItem<'t>> {
+        let color = self.color.next_back()?;
+        let aux = self.aux.as_mut().and_then(IterMut::next_back);
+        Some((self.first + self.color.len(), (color, aux)))
     }
 }
 

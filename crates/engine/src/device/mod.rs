@@ -5,6 +5,7 @@ pub(crate) mod arena;
 mod access;
 mod flush;
 mod palette;
+mod raw;
 
 use std::sync::Arc;
 
@@ -234,10 +235,11 @@ impl Device {
     }
 
     /// Draws a triangle by the current state, later.
-    pub fn draw_triangle(&mut self, vertices: [&Vertex; 3], cull: Cull) {
+    #[inline]
+    pub fn draw_triangle(&mut self, [a, b, c]: [&Vertex; 3], cull: Cull) {
         let Some(state) = self.use_state() else { return };
         let index = self.arena.vertices.len() as u32;
-        self.arena.vertices.push(vertices.map(|v| *v));
+        self.arena.vertices.push([*a, *b, *c]);
         self.arena.commands.push(Command::Triangle { vertices: index, cull, state });
     }
 
@@ -327,7 +329,16 @@ impl Device {
     }
 
     /// The arena's entry of the current state; `None` without a target.
+    #[inline]
     fn use_state(&mut self) -> Option<u32> {
+        match self.state {
+            Some(state) if !self.arena.is_full() => Some(state),
+            _ => self.find_state(),
+        }
+    }
+
+    #[cold]
+    fn find_state(&mut self) -> Option<u32> {
         self.make_room();
         if let Some(state) = self.state {
             return Some(state);

@@ -87,15 +87,16 @@ impl<S: Simd> DepthLanes<S> for IteratedW {
     #[inline(always)]
     fn enter(&mut self, s: S, pass: &Pass<'_>, at: &Slot, _slot: usize) {
         let triangle = pass.triangle(at);
-        let plane = pass.triangles.w(triangle);
         if !triangle.exact {
+            let plane = pass.triangles.w(triangle);
             return exact_w_of_stamp(&plane, at.x, at.y, &mut self.values);
         }
+        let plane = pass.triangles.exact_w(triangle);
         if at.triangle != self.triangle {
             self.triangle = at.triangle;
             ramp_wide(s, &plane, &mut self.ramp);
         }
-        let base = s.splat_f(plane.at(at.x, at.y) as f64);
+        let base = s.splat_f(plane.at(triangle.offset(at.x, at.y)));
         for j in (0..STAMP).step_by(S::LANES) {
             let w = base + s.load_f(&self.ramp[j..]);
             s.store(float_w_lanes(s, w), &mut self.values[j..]);

@@ -5,8 +5,7 @@ use fillrate_simd::{IntLanes, Simd};
 use super::Pass;
 use super::block::{Block, Colors, STAMP, Slot};
 use super::lanes::{clamp, join, lerp_255, scale, spread_alpha};
-use super::shade::extra_colors;
-use crate::setup::SPECULAR;
+use super::shade::fog_factor;
 use crate::state::{FOG_SAMPLES, Fog, FogAmount, FogTable};
 
 /// A fog table as 64 entries that one indexed load reads: the amount low, the
@@ -88,7 +87,7 @@ fn part_left<S: Simd>(
     [j, k]: [usize; 2],
 ) -> S::I {
     if fog.amount == FogAmount::Iterated {
-        return spread_alpha(s, extra_colors(s, pass, at, SPECULAR, j)[1]);
+        return fog_factor(s, pass, at, j);
     }
     let w = s.load(&block.w.0[k..]);
     let (from, to) = s.load_pairs(&pass.pipeline.fog_samples, w.shr(9));

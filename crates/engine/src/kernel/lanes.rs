@@ -3,7 +3,7 @@
 use fillrate_simd::{IntLanes, Simd};
 
 use super::block::STAMP;
-use crate::setup::{Narrow, Plane64};
+use crate::setup::{Narrow, PlaneF};
 use crate::state::{DITHER_2X2, DITHER_4X4, Dither};
 
 /// Column of each fragment in its stamp.
@@ -39,10 +39,10 @@ pub(crate) fn ramp<S: Simd>(s: S, dx: i32, dy: i32, out: &mut [i32; STAMP]) {
     }
 }
 
-/// The same for a 64-bit attribute, in floats; exact where the triangle is.
+/// The same for a 64-bit attribute, in floats.
 #[inline(always)]
-pub(crate) fn ramp_wide<S: Simd>(s: S, plane: &Plane64, out: &mut [f64; STAMP]) {
-    let (dx, dy) = (s.splat_f(plane.dx as f64), s.splat_f(plane.dy as f64));
+pub(crate) fn ramp_wide<S: Simd>(s: S, plane: &PlaneF, out: &mut [f64; STAMP]) {
+    let (dx, dy) = (s.splat_f(plane.dx), s.splat_f(plane.dy));
     for j in (0..STAMP).step_by(S::LANES) {
         let ramp = s.load_f(&COLUMN_F[j..]) * dx + s.load_f(&ROW_F[j..]) * dy;
         s.store_f(ramp, &mut out[j..]);

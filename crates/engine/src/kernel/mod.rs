@@ -13,6 +13,7 @@ pub(crate) mod depth;
 pub(crate) mod lanes;
 pub(crate) mod palette;
 pub(crate) mod pipeline;
+pub(crate) mod raw;
 pub(crate) mod texture;
 
 mod alpha_test;

@@ -55,9 +55,11 @@ fn unpack<S: Simd>(s: S, format: PixelFormat, p: S::I) -> [S::I; 2] {
             let white = s.splat(0x00ff_00ff);
             [white, join(s, white, p.shl(16) & white)]
         }
-        PixelFormat::Argb8888 | PixelFormat::Palette | PixelFormat::Aux16 | PixelFormat::Aux32 => {
-            unpack_bytes(s, p)
-        }
+        PixelFormat::Argb8888
+        | PixelFormat::Palette
+        | PixelFormat::Rgbx8888
+        | PixelFormat::Aux16
+        | PixelFormat::Aux32 => unpack_bytes(s, p),
     }
 }
 
@@ -125,7 +127,11 @@ pub(super) fn pack<S: Simd>(
             (sum + s.splat(128)).shr(8)
         }
         PixelFormat::Alpha8 => alpha,
-        PixelFormat::Argb8888 | PixelFormat::Palette | PixelFormat::Aux16 | PixelFormat::Aux32 => {
+        PixelFormat::Argb8888
+        | PixelFormat::Palette
+        | PixelFormat::Rgbx8888
+        | PixelFormat::Aux16
+        | PixelFormat::Aux32 => {
             alpha.shl(24) | (rb & s.splat(0xff)).shl(16) | (ga & s.splat(0xff)).shl(8) | rb.shr(16)
         }
     }
@@ -370,9 +376,12 @@ pub(crate) fn write_bits<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile
             let live = s.mask((block.live >> k) as u32);
             let color = [s.load(&block.color.rb.0[k..]), s.load(&block.color.ga.0[k..])];
             let (old, format) = tile.color.elements(s, at + j);
-            let dither = dithered.then(|| s.load(&pipeline.dither[j..]));
+            let dither = if dithered { Some(s.load(&pipeline.dither[j..])) } else { None };
             let new = pack(s, format, color, dither);
-            let new = pipeline.logic_op.map_or(new, |op| logic(s, op, new, old));
+            let new = match pipeline.logic_op {
+                Some(op) => logic(s, op, new, old),
+                None => new,
+            };
             let merged = old ^ ((old ^ new) & mask);
             match &mut tile.color {
                 ColorTile::Bits16(pixels, _) => s.store16(merged, &mut pixels[at + j..], live),
@@ -387,9 +396,9 @@ pub(crate) fn write_bits<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile
 #[inline(always)]
 fn logic<S: Simd>(s: S, op: LogicOp, source: S::I, destination: S::I) -> S::I {
     let ones = s.splat(-1);
-    let entry = |index: u32| s.splat(-i32::from(op.table() >> index & 1));
-    let with_source = (destination & entry(3)) | ((destination ^ ones) & entry(2));
-    let without = (destination & entry(1)) | ((destination ^ ones) & entry(0));
+    let [a, b, c, d] = [3, 2, 1, 0].map(|index| -i32::from(op.table() >> index & 1));
+    let with_source = (destination & s.splat(a)) | ((destination ^ ones) & s.splat(b));
+    let without = (destination & s.splat(c)) | ((destination ^ ones) & s.splat(d));
     (source & with_source) | ((source ^ ones) & without)
 }
 

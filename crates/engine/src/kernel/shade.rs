@@ -7,7 +7,7 @@ use fillrate_simd::{IntLanes, Simd};
 use super::Pass;
 use super::block::{Block, STAMP, Slot};
 use super::iterate::iterated_colors;
-use super::lanes::{iterate, join, lerp_255, places, spread_alpha, wrap_colors};
+use super::lanes::{iterate, join, lerp_255, places, spread_alpha, wrap, wrap_colors};
 use super::stipple::pattern_bits;
 use crate::setup::{BASE, Plane64, SPECULAR};
 use crate::state::DecalBase;
@@ -29,12 +29,20 @@ pub(super) fn extra_colors<S: Simd>(
     j: usize,
 ) -> [S::I; 2] {
     let high = s.splat(0x0fff_0000);
-    let units = pass.pipeline.unit_count;
-    let [r, g, b, a] = pass.triangles.extra_color(pass.triangle(at), units, lane);
+    let [r, g, b, a] = pass.triangles.extra_color(pass.triangle(at), lane);
     let places = places(s, at.x, at.y, j);
     let rb = iterate_low(s, &r, places).shr(20) | (iterate_low(s, &b, places).shr(4) & high);
     let ga = iterate_low(s, &g, places).shr(20) | (iterate_low(s, &a, places).shr(4) & high);
     [wrap_colors(s, rb), wrap_colors(s, ga)]
+}
+
+/// The fog factor of fragments `j..` of a stamp, in both halves.
+#[inline(always)]
+pub(super) fn fog_factor<S: Simd>(s: S, pass: &Pass<'_>, at: &Slot, j: usize) -> S::I {
+    let [.., part] = pass.triangles.extra_color(pass.triangle(at), SPECULAR);
+    let whole = iterate_low(s, &part, places(s, at.x, at.y, j)).shr(20);
+    let factor = wrap::<S, 12, 8>(s, whole);
+    factor | factor.shl(16)
 }
 
 /// Replaces `block.color` but its alpha, by a function of what it was; `j` is
@@ -80,24 +88,18 @@ pub(crate) fn overbright<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
         let narrow = &pass.triangle(at).narrow;
         let places = places(s, at.x, at.y, j);
         let low = s.splat(0xffff);
-        let product =
-            |channel: S::I, lane: usize| channel.mul(over(s, iterate(s, narrow, lane, places)));
-        let r = divided(s, product(rb & low, 0));
-        let g = divided(s, product(ga & low, 1));
-        let b = divided(s, product(rb.shr(16), 2));
+        let r = multiplied(s, rb & low, iterate(s, narrow, 0, places));
+        let g = multiplied(s, ga & low, iterate(s, narrow, 1, places));
+        let b = multiplied(s, rb.shr(16), iterate(s, narrow, 2, places));
         [r | b.shl(16), g]
     });
 }
 
-/// The integer part of an iterated colour, not wrapped, 0 at least.
+/// A channel times the integer part of an iterated colour, which is not wrapped
+/// and counts 0 at least, by 255, to the nearest, at most 255.
 #[inline(always)]
-fn over<S: Simd>(s: S, value: S::I) -> S::I {
-    value.sar(20).max(s.splat(0))
-}
-
-/// A product by 255, to the nearest, at most 255.
-#[inline(always)]
-fn divided<S: Simd>(s: S, product: S::I) -> S::I {
+fn multiplied<S: Simd>(s: S, channel: S::I, factor: S::I) -> S::I {
+    let product = channel.mul(factor.sar(20).max(s.splat(0)));
     let v = product.min(s.splat(255 * 255)) + s.splat(128);
     (v + v.shr(8)).shr(8)
 }

@@ -8,7 +8,7 @@ use super::block::{Block, Lanes, STAMP, Slot};
 use super::depth::{DepthLanes, DepthTest, IteratedZ, Kept, compare, keep};
 use super::lanes::{iterate, places, ramp_wide};
 use super::{Pass, Tile};
-use crate::setup::{Plane64, Z};
+use crate::setup::{Plane64, PlaneF, Z};
 use crate::state::{DepthSource, ZOverflow};
 
 /// Integer part of iterated z, 20 bits, signed.
@@ -43,14 +43,16 @@ impl<S: Simd> DepthLanes<S> for Deep {
         let plane = if by_w {
             pass.triangles.w(triangle)
         } else {
-            pass.triangles.deep_z(triangle, pipeline.unit_count, pipeline.needs.extra)
+            pass.triangles.deep_z(triangle, pipeline.needs.extra)
         };
-        if !triangle.exact {
+        let corner = plane.at(at.x, at.y);
+        if !floats_hold(&plane, corner) {
             return exact_stamp(&plane, by_w, at, &mut self.values);
         }
         let mut ramp = [0.0; STAMP];
-        ramp_wide(s, &plane, &mut ramp);
-        let base = s.splat_f(plane.at(at.x, at.y) as f64);
+        let steps = PlaneF { start: 0.0, dx: plane.dx as f64, dy: plane.dy as f64 };
+        ramp_wide(s, &steps, &mut ramp);
+        let base = s.splat_f(corner as f64);
         let whole = s.splat_f(1.0 / (1u64 << 32) as f64);
         for j in (0..STAMP).step_by(S::LANES) {
             let value = base + s.load_f(&ramp[j..]);
@@ -65,7 +67,15 @@ impl<S: Simd> DepthLanes<S> for Deep {
     }
 }
 
+/// Whether all values of a stamp with that first one are integers that floats
+/// hold.
+fn floats_hold(plane: &Plane64, corner: i64) -> bool {
+    let reach = plane.dx.unsigned_abs().saturating_add(plane.dy.unsigned_abs()).saturating_mul(3);
+    reach.saturating_add(corner.unsigned_abs()) < 1 << 52
+}
+
 /// The depths of a stamp whose iterators are too large for floats.
+#[inline(always)]
 fn exact_stamp(plane: &Plane64, by_w: bool, at: &Slot, out: &mut [i32; STAMP]) {
     for (i, out) in out.iter_mut().enumerate() {
         let value = plane.at(at.x + (i & 3) as i32, at.y + (i >> 2) as i32);
@@ -166,8 +176,10 @@ fn test_depth<S: Simd, D: DepthLanes<S>>(
             let place = at.at as usize + j;
             let mut passed = s.mask((before >> k) as u32);
             if let Some(op) = test.test {
-                let constant = test.constant.filter(|_| !deep);
-                let compared = constant.map_or(value, |constant| s.splat(constant));
+                let compared = match test.constant {
+                    Some(constant) if !deep => s.splat(constant),
+                    _ => value,
+                };
                 // Planes hold unsigned numbers, and lanes compare signed ones.
                 let sign = s.splat(i32::MIN);
                 let stored = tile.load_aux(s, place);

@@ -5,6 +5,7 @@ mod coverage;
 mod depth_range;
 mod palette;
 mod queue;
+mod raw;
 mod small;
 mod tile;
 

@@ -6,13 +6,15 @@ use super::coverage::{FULL, TileCoverage, clip_strip, rect_mask};
 use super::depth_range::{depth_range, hides_nothing, is_hidden, update_bounds};
 use super::palette::{PaletteTile, draw_shape};
 use super::queue::Queue;
+use super::raw::{RawScratch, RawTile, draw_raw};
 use super::small::{Small, is_small};
 use crate::bins::{Chunk, Entry, Grid};
 use crate::device::arena::{Arena, BatchState, Clear, Pixel, Run};
 use crate::kernel::block::{Block, SLOTS, STAMP, Slot, Strip};
 use crate::kernel::depth::{DepthTest, early, test_strip};
 use crate::kernel::{
-    ColorTile, Pass, Pipeline, StageList, StripFn, Tile, run, stage_list, strip_function,
+    self as stages, ColorTile, Pass, Pipeline, StageList, StripFn, Tile, run, stage_list,
+    strip_function,
 };
 use crate::setup::{Shape, Triangle, Triangles};
 use crate::state::{Dither, Rect};
@@ -37,6 +39,7 @@ pub(crate) struct TilePainter<'a, S: Simd> {
     strip: Option<StripFn<S>>,
     /// The state that `list` and `strip` belong to.
     current: Option<Current<'a>>,
+    raw: RawScratch,
 }
 
 /// A draw state in use.
@@ -116,6 +119,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             list: StageList::new(),
             strip: None,
             current: None,
+            raw: RawScratch::new(),
         }
     }
 
@@ -142,6 +146,10 @@ impl<'a, S: Simd> TilePainter<'a, S> {
                     Entry::Shape(i) => {
                         self.finish(&chunk.triangles, &mut target);
                         self.shape(&chunk.shapes[i as usize], &mut target);
+                    }
+                    Entry::Raw(i) => {
+                        self.finish(&chunk.triangles, &mut target);
+                        self.raw(chunk, i, &mut target);
                     }
                     Entry::Clear(i) => {
                         self.finish(&chunk.triangles, &mut target);
@@ -441,6 +449,21 @@ impl<'a, S: Simd> TilePainter<'a, S> {
         draw_shape(self.s, &self.arena.palettes[shape.state as usize], shape, tile);
     }
 
+    /// Draws a shape of the Raw profile.
+    #[inline(always)]
+    fn raw(&mut self, chunk: &Chunk, index: u32, target: &mut Target<'_>) {
+        let shape = &chunk.raws[index as usize];
+        let tile = RawTile {
+            rect: target.rect,
+            bits: self.grid.bits,
+            color: &mut *target.color,
+            depth: target.aux.as_deref_mut(),
+            counters: &mut self.counters,
+        };
+        let draw = &self.arena.raws[shape.state as usize];
+        draw_raw(self.s, draw, shape, &chunk.raw_rows, tile, &mut self.raw);
+    }
+
     /// Fills a part of the tile, or all of it later.
     fn clear(&mut self, clear: &Clear, target: &mut Target<'_>) {
         let visible = target.rect.intersect(&self.grid.bounds);
@@ -471,7 +494,8 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             aux.include(0, 0xffff);
         }
         let y = run.y & !3;
-        let none = Triangles::default();
+        let Some(current) = &self.current else { return };
+        let pass = Pass { pipeline: current.pipeline, triangles: &Triangles::default() };
         for x in (from & !3..to).step_by(4) {
             let row = (run.y & 3) * 4;
             let mut mask = 0;
@@ -486,8 +510,10 @@ impl<'a, S: Simd> TilePainter<'a, S> {
                 let at = stamp_index(x - target.rect.x0, y - target.rect.y0, self.grid.bits);
                 let slot = Slot { triangle: 0, at: at as u32, x: x as i32, y: y as i32 };
                 // One stamp a block: the fragments are already in its lanes.
-                self.queue.push(slot, mask as u16);
-                self.finish(&none, target);
+                (self.block.slots[0], self.block.count) = (slot, 1);
+                self.block.live = u64::from(mask);
+                let mut tile = target.tile(self.format, &mut self.counters);
+                stages::run(self.s, &self.list, &mut self.block, &pass, &mut tile);
             }
         }
     }

@@ -4,6 +4,7 @@ mod extra;
 mod launch;
 mod palette;
 mod planes;
+mod raw;
 mod registers;
 mod sst1;
 mod vertex;
@@ -14,8 +15,10 @@ pub use palette::{PALETTE_COORDINATE, PalettePrimitive, PaletteVertex};
 pub(crate) use palette::{Plane32, Shape, Texels, prepare_palette};
 pub use planes::MAX_SCALE;
 pub(crate) use planes::{
-    Edge, Narrow, Plane64, Screen, Triangle, Triangles, prepare, prepare_extra,
+    Edge, Narrow, Plane64, PlaneF, Screen, Triangle, Triangles, prepare, prepare_extra,
 };
+pub(crate) use raw::{ATTRIBUTES, RawShape, Slots, Steps, Values, Walk, prepare_raw, side_range};
+pub use raw::{RawPrimitive, RawVertex};
 pub use registers::{Param, Registers, WideParam};
 pub use sst1::{Cull, Outcome, extended_triangle, triangle};
 pub(crate) use sst1::{Fate, set_up};

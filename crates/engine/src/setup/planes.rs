@@ -19,16 +19,17 @@ pub(crate) struct Edge {
 impl Edge {
     /// The edge from `from` to `to` (12.4, rising y), pixels to its right
     /// inside (a centre on the line counts) or to its left (it does not).
+    #[inline(always)]
     fn new(from: [i32; 2], to: [i32; 2], left: bool) -> Edge {
-        let [dx, dy] = [to[0] - from[0], to[1] - from[1]].map(i64::from);
-        let [px, py] = from.map(i64::from);
+        let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+        let product = |a: i32, b: i32| i64::from(a) * i64::from(b);
         // (xs - px) * dy - (ys - py) * dx at centres xs = 16x + 8, ys = 16y + 8.
-        let constant = (8 - px) * dy - (8 - py) * dx;
-        if left {
-            Edge { a: (16 * dy) as i32, b: (-16 * dx) as i32, c: constant }
-        } else {
-            Edge { a: (-16 * dy) as i32, b: (16 * dx) as i32, c: -constant - 1 }
-        }
+        let c = product(8 - from[0], dy) - product(8 - from[1], dx);
+        // To its left all signs turn and c loses one: which side is a matter of
+        // chance, so there is no branch.
+        let turn = i32::from(left) - 1;
+        let turned = |value: i32| (value ^ turn) - turn;
+        Edge { a: turned(16 * dy), b: turned(-16 * dx), c: c ^ i64::from(turn) }
     }
 
     /// The same edge with rows counted from the other end.
@@ -79,6 +80,16 @@ impl Plane64 {
     }
 }
 
+/// The same in floats that hold integers, so that sums are exact: see
+/// [`Triangle::exact`]. The value at screen pixel (x, y) is `start + (x - x0) *
+/// dx + (y - y0) * dy` from the triangle's [`Triangle::origin`] on.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct PlaneF {
+    pub start: f64,
+    pub dx: f64,
+    pub dy: f64,
+}
+
 /// 64-bit attributes of a group: see [`Launch`].
 #[derive(Clone, Copy, Debug)]
 struct WideGroup {
@@ -94,6 +105,36 @@ impl WideGroup {
     }
 }
 
+/// The same of an exact triangle.
+#[derive(Clone, Copy, Debug)]
+struct ExactGroup {
+    start: [f64; GROUP],
+    dx: [f64; GROUP],
+    dy: [f64; GROUP],
+}
+
+impl ExactGroup {
+    #[inline(always)]
+    fn plane(&self, lane: usize) -> PlaneF {
+        PlaneF { start: self.start[lane], dx: self.dx[lane], dy: self.dy[lane] }
+    }
+}
+
+impl PlaneF {
+    /// The value at an offset: see [`Triangle::offset`].
+    #[inline(always)]
+    pub fn at(&self, [x, y]: [f64; 2]) -> f64 {
+        self.start + x * self.dx + y * self.dy
+    }
+
+    /// The same from the screen's first pixel on.
+    fn integers(&self, (x, y): (i32, i32)) -> Plane64 {
+        let [start, dx, dy] = [self.start, self.dx, self.dy].map(|v| v as i64);
+        let c = start.wrapping_sub(times(dx, x)).wrapping_sub(times(dy, y));
+        Plane64 { c, dx, dy }
+    }
+}
+
 /// A triangle ready for the tiles. Coordinates are screen pixels.
 #[derive(Clone, Debug)]
 pub(crate) struct Triangle {
@@ -103,15 +144,18 @@ pub(crate) struct Triangle {
     pub state: u32,
     /// Edges in use.
     pub edge_count: u8,
-    /// Whether w, and s, t, w of the units in use, are small enough over
-    /// `bounds` to be iterated in floats exactly.
+    /// Whether w, and s, t, w of the units in use, are small enough over the
+    /// stamps of `bounds` to be iterated in floats exactly.
     pub exact: bool,
     /// Whether three edges alone tell its pixels, those beyond the screen's end
     /// included, and it is so small that 32 bits hold their values at and around
     /// its pixels.
     pub compact: bool,
-    /// First of its groups of 64-bit planes in [`Triangles`].
+    /// First of its groups of 64-bit planes in [`Triangles`], of the exact or of
+    /// the others.
     wide: u32,
+    /// First of its groups of what states read besides.
+    extra: u32,
     /// Level of detail of each unit at w = 1, without bias.
     pub lod_base: [i32; MAX_TMUS],
     pub edges: [Edge; 3],
@@ -119,48 +163,97 @@ pub(crate) struct Triangle {
     pub narrow: Narrow,
 }
 
+impl Triangle {
+    /// The first pixel of the first stamp that its bounds touch.
+    #[inline(always)]
+    pub fn origin(&self) -> (i32, i32) {
+        let down = |v: u32| (v & !(STAMP - 1)) as i32;
+        (down(self.bounds.x0), down(self.bounds.y0))
+    }
+
+    /// From there to a pixel.
+    #[inline(always)]
+    pub fn offset(&self, x: i32, y: i32) -> [f64; 2] {
+        let (x0, y0) = self.origin();
+        [f64::from(x - x0), f64::from(y - y0)]
+    }
+}
+
 /// Triangles ready for the tiles, with their 64-bit planes, a group for each
 /// unit in use and at least one.
 #[derive(Debug, Default)]
 pub(crate) struct Triangles {
     pub list: Vec<Triangle>,
+    exact: Vec<ExactGroup>,
+    /// Of triangles that are not exact.
     wides: Vec<WideGroup>,
+    /// What states read besides.
+    extras: Vec<WideGroup>,
 }
 
 impl Triangles {
     pub fn clear(&mut self) {
         self.list.clear();
+        self.exact.clear();
         self.wides.clear();
+        self.extras.clear();
+    }
+
+    #[inline(always)]
+    fn plane(&self, triangle: &Triangle, group: usize, lane: usize) -> Plane64 {
+        let group = triangle.wide as usize + group;
+        if triangle.exact {
+            return self.exact[group].plane(lane).integers(triangle.origin());
+        }
+        self.wides[group].plane(lane)
     }
 
     /// w of the pixel pipeline.
     #[inline(always)]
     pub fn w(&self, triangle: &Triangle) -> Plane64 {
-        self.wides[triangle.wide as usize].plane(0)
+        self.plane(triangle, 0, 0)
+    }
+
+    /// The same of an exact triangle.
+    #[inline(always)]
+    pub fn exact_w(&self, triangle: &Triangle) -> PlaneF {
+        self.exact[triangle.wide as usize].plane(0)
     }
 
     /// s, t and w of a unit in use.
     #[inline(always)]
     pub fn unit(&self, triangle: &Triangle, unit: usize) -> [Plane64; 3] {
-        let group = &self.wides[triangle.wide as usize + unit];
+        let first = wide_lane(unit, 0).1;
+        [0, 1, 2].map(|param| self.plane(triangle, unit, first + param))
+    }
+
+    /// w of a unit in use.
+    #[inline(always)]
+    pub fn unit_w(&self, triangle: &Triangle, unit: usize) -> Plane64 {
+        self.plane(triangle, unit, wide_lane(unit, 2).1)
+    }
+
+    /// s, t and w of a unit of an exact triangle.
+    #[inline(always)]
+    pub fn exact_unit(&self, triangle: &Triangle, unit: usize) -> [PlaneF; 3] {
+        let group = &self.exact[triangle.wide as usize + unit];
         let first = wide_lane(unit, 0).1;
         [group.plane(first), group.plane(first + 1), group.plane(first + 2)]
     }
 
     /// A colour of a triangle whose state reads it, 12.12 in the top 24 bits of
-    /// the low halves; `lane` is [`SPECULAR`] or [`BASE`], `units` how many
-    /// texture units iterate.
+    /// the low halves; `lane` is [`SPECULAR`] or [`BASE`].
     #[inline(always)]
-    pub fn extra_color(&self, triangle: &Triangle, units: usize, lane: usize) -> [Plane64; 4] {
-        let group = &self.wides[triangle.wide as usize + units.max(1) + lane / GROUP];
+    pub fn extra_color(&self, triangle: &Triangle, lane: usize) -> [Plane64; 4] {
+        let group = &self.extras[triangle.extra as usize + lane / GROUP];
         [group.plane(0), group.plane(1), group.plane(2), group.plane(3)]
     }
 
     /// Deep z of a triangle whose state reads it.
     #[inline(always)]
-    pub fn deep_z(&self, triangle: &Triangle, units: usize, needs: ExtraNeeds) -> Plane64 {
+    pub fn deep_z(&self, triangle: &Triangle, needs: ExtraNeeds) -> Plane64 {
         let colors = if needs.colors { NARROW / GROUP } else { 0 };
-        self.wides[triangle.wide as usize + units.max(1) + colors].plane(0)
+        self.extras[triangle.extra as usize + colors].plane(0)
     }
 
     /// Tells the processor that a triangle is needed soon.
@@ -192,6 +285,13 @@ const W_LIMIT: f64 = (1u64 << 46) as f64;
 /// The limits of a group's lanes. The lane without meaning has none.
 const FIRST_LIMITS: [f64; GROUP] = [W_LIMIT, COORDINATE_LIMIT, COORDINATE_LIMIT, W_LIMIT];
 const OTHER_LIMITS: [f64; GROUP] = [COORDINATE_LIMIT, COORDINATE_LIMIT, W_LIMIT, f64::INFINITY];
+/// Where only w counts.
+const W_LIMITS: [f64; GROUP] = [W_LIMIT, f64::INFINITY, f64::INFINITY, f64::INFINITY];
+/// Sums of integers below it in magnitude are exact in floats, and so are
+/// conversions from and to integers by adding [`TO_INTEGER`].
+const EXACT_LIMIT: f64 = (1u64 << 50) as f64;
+/// A float whose mantissa's last bit is one: that of a sum with it is an integer.
+const TO_INTEGER: f64 = (3u64 << 51) as f64;
 
 /// Converts a launched triangle and appends it to `out`; `None` where it covers
 /// no pixel of the screen. `units` is how many texture units iterate.
@@ -205,36 +305,65 @@ pub(crate) fn prepare<'a>(
 ) -> Option<&'a Triangle> {
     let bounds = bounds(launch, screen)?;
     let planes = Corrected::new(launch, screen, &bounds);
-    let wide = out.wides.len() as u32;
-    let mut exact = true;
+    let (mut wide, mut exact) = (out.exact.len(), true);
     let mut lods = [0; MAX_TMUS];
     for (unit, params) in launch.wide.iter().enumerate().take(units.max(1)) {
-        let mut limits = if unit == 0 { FIRST_LIMITS } else { OTHER_LIMITS };
-        if units == 0 {
-            limits[1..].fill(f64::INFINITY);
-        }
-        let (group, below) = planes.wide(params, &limits);
-        exact &= below;
+        let limits = match (unit, units) {
+            (_, 0) => &W_LIMITS,
+            (0, _) => &FIRST_LIMITS,
+            _ => &OTHER_LIMITS,
+        };
+        let (group, fits) = planes.exact(params, limits);
+        exact &= fits;
         if unit < units {
             let first = wide_lane(unit, 0).1;
             lods[unit] = lod_base(&group.plane(first), &group.plane(first + 1));
         }
-        out.wides.push(group);
+        out.exact.push(group);
     }
-    let mut triangle = Triangle {
+    if !exact {
+        out.exact.truncate(wide);
+        wide = out.wides.len();
+        large_planes(launch, &planes, units, &mut lods, &mut out.wides);
+    }
+    let wide = wide as u32;
+    let (edges, edge_count, compact) = edges(launch, screen, &bounds);
+    out.list.push(Triangle {
         bounds,
         state,
-        edge_count: 0,
+        edge_count,
         exact,
-        compact: is_compact(launch) && ends_at_stamps(&bounds, screen),
+        compact,
         wide,
+        extra: out.extras.len() as u32,
         lod_base: lods,
-        edges: [Edge::default(); 3],
+        edges,
         narrow: planes.narrow(&launch.narrow),
-    };
-    add_edges(&mut triangle, launch, screen);
-    out.list.push(triangle);
+    });
     out.list.last()
+}
+
+/// The planes of a triangle that floats do not hold.
+#[cold]
+fn large_planes(
+    launch: &Launch,
+    planes: &Corrected,
+    units: usize,
+    lods: &mut [i32; MAX_TMUS],
+    out: &mut Vec<WideGroup>,
+) {
+    for (unit, params) in launch.wide.iter().enumerate().take(units.max(1)) {
+        let group = planes.wide(params);
+        if unit < units {
+            let first = wide_lane(unit, 0).1;
+            let steps = [first, first + 1].map(|lane| {
+                let Plane64 { dx, dy, .. } = group.plane(lane);
+                PlaneF { start: 0.0, dx: dx as f64, dy: dy as f64 }
+            });
+            lods[unit] = lod_base(&steps[0], &steps[1]);
+        }
+        out.push(group);
+    }
 }
 
 /// Appends the parameters that a state reads besides to the planes of the
@@ -246,19 +375,16 @@ pub(crate) fn prepare_extra(
     needs: ExtraNeeds,
     out: &mut Triangles,
 ) {
-    let Some(triangle) = out.list.last_mut() else { return };
+    let Some(triangle) = out.list.last() else { return };
     let planes = Corrected::new(launch, screen, &triangle.bounds);
     if needs.colors {
         let narrow = planes.narrow(&extra.colors);
-        out.wides.push(color_group(&narrow, SPECULAR, 0));
+        out.extras.push(color_group(&narrow, SPECULAR, 0));
         // The lanes that hold no colour of a launch are not in the top bits.
-        out.wides.push(color_group(&narrow, BASE, 8));
+        out.extras.push(color_group(&narrow, BASE, 8));
     }
     if needs.deep_z {
-        let limits = [W_LIMIT, f64::INFINITY, f64::INFINITY, f64::INFINITY];
-        let (group, below) = planes.wide(&extra.deep_z, &limits);
-        triangle.exact &= below;
-        out.wides.push(group);
+        out.extras.push(planes.wide(&extra.deep_z));
     }
 }
 
@@ -270,29 +396,39 @@ fn color_group(narrow: &Narrow, first: usize, shift: u32) -> WideGroup {
     WideGroup { c: lanes(&narrow.c), dx: lanes(&narrow.dx), dy: lanes(&narrow.dy) }
 }
 
+/// A triangle's edges, how many are in use, and [`Triangle::compact`].
 #[inline(always)]
-fn add_edges(triangle: &mut Triangle, launch: &Launch, screen: &Screen) {
+fn edges(launch: &Launch, screen: &Screen, bounds: &Rect) -> ([Edge; 3], u8, bool) {
     let [a, b, c] = core::array::from_fn(|i| [launch.x[i], launch.y[i]]);
+    let compact = is_compact(launch) && ends_at_stamps(bounds, screen);
     // B left of A-C: A-C is the right edge, A-B and B-C are left ones.
     let minor_is_left = launch.negative;
-    for (from, to, left) in [(a, c, !minor_is_left), (a, b, minor_is_left), (b, c, minor_is_left)] {
-        if from[1] < to[1] {
-            let edge = Edge::new(from, to, left);
-            let edge =
-                if screen.origin == Origin::LowerLeft { edge.flip(screen.height) } else { edge };
-            triangle.edges[triangle.edge_count as usize] = edge;
-            triangle.edge_count += 1;
-        }
+    let edge = |from: [i32; 2], to: [i32; 2], left: bool| {
+        let edge = Edge::new(from, to, left);
+        if screen.origin == Origin::LowerLeft { edge.flip(screen.height) } else { edge }
+    };
+    let all = [edge(a, c, !minor_is_left), edge(a, b, minor_is_left), edge(b, c, minor_is_left)];
+    let rises = [a[1] < c[1], a[1] < b[1], b[1] < c[1]];
+    if rises == [true; 3] {
+        return (all, 3, compact);
     }
-    if triangle.compact && triangle.edge_count < 3 {
-        // A level side: the bounds' first or last row.
-        let first = (a[1] == b[1]) == (screen.origin == Origin::UpperLeft);
-        let Rect { y0, y1, .. } = triangle.bounds;
-        triangle.edges[2] = match first {
-            true => Edge { a: 0, b: 1, c: -i64::from(y0) },
-            false => Edge { a: 0, b: -1, c: i64::from(y1) - 1 },
-        };
-        triangle.edge_count = 3;
+    let (mut edges, mut count) = ([Edge::default(); 3], 0);
+    for (edge, _) in all.into_iter().zip(rises).filter(|(_, rises)| *rises) {
+        edges[count] = edge;
+        count += 1;
+    }
+    if compact && count == 2 {
+        edges[2] = level_edge(bounds, (a[1] == b[1]) == (screen.origin == Origin::UpperLeft));
+        count = 3;
+    }
+    (edges, count as u8, compact && count == 3)
+}
+
+/// A level side: the bounds' first or last row.
+fn level_edge(bounds: &Rect, first: bool) -> Edge {
+    match first {
+        true => Edge { a: 0, b: 1, c: -i64::from(bounds.y0) },
+        false => Edge { a: 0, b: -1, c: i64::from(bounds.y1) - 1 },
     }
 }
 
@@ -317,6 +453,7 @@ fn ends_at_stamps(bounds: &Rect, screen: &Screen) -> bool {
 }
 
 /// The part of the screen that can be covered, or `None`.
+#[inline(always)]
 fn bounds(launch: &Launch, screen: &Screen) -> Option<Rect> {
     let [ay, _, cy] = launch.y;
     let rows = [(ay + 7) >> COORD_FRACTION, (cy + 7) >> COORD_FRACTION];
@@ -345,10 +482,10 @@ struct Corrected {
     y: i32,
     /// -1 where rows are counted from the other end, else 1.
     row_sign: i32,
-    /// From that pixel to the middle of the area, and half its sides with a
-    /// pixel to spare.
-    middle: [f64; 2],
-    half: [f64; 2],
+    /// From that pixel to the first pixel of the area's first stamp, and from
+    /// there to the last pixel of its last stamp.
+    origin: [f64; 2],
+    reach: [f64; 2],
 }
 
 impl Corrected {
@@ -360,19 +497,17 @@ impl Corrected {
         let x = vx >> COORD_FRACTION;
         let y = if flipped { screen.height as i32 - 1 - row } else { row };
         // Whole stamps are iterated.
-        let down = |v: u32| v & !(STAMP - 1);
-        let [x0, y0] = [f64::from(down(bounds.x0)), f64::from(down(bounds.y0))];
-        let [x1, y1] = [bounds.x1, bounds.y1].map(|v| f64::from(down(v + STAMP - 1)));
-        let half = [(x1 - x0) * 0.5, (y1 - y0) * 0.5];
-        let middle = [x0 + half[0] - f64::from(x), y0 + half[1] - f64::from(y)];
+        let down = |v: u32| (v & !(STAMP - 1)) as i32;
+        let [x0, y0] = [down(bounds.x0), down(bounds.y0)];
+        let [x1, y1] = [bounds.x1, bounds.y1].map(|v| down(v + STAMP - 1) - 1);
         Corrected {
             dx: 8 - (vx & 15),
             dy: 8 - (vy & 15),
             x,
             y,
             row_sign: if flipped { -1 } else { 1 },
-            middle,
-            half: half.map(|half| half + 1.0),
+            origin: [f64::from(x0 - x), f64::from(y0 - y)],
+            reach: [f64::from(x1 - x0), f64::from(y1 - y0)],
         }
     }
 
@@ -398,12 +533,38 @@ impl Corrected {
         out
     }
 
-    /// The planes, and whether each stays below its limit over the area.
+    /// The planes as floats, and whether these are exact and stay below their
+    /// limits over the area; where a lane has no limit it does not count.
     #[inline(always)]
-    fn wide(&self, params: &Params<[i64; GROUP]>, limits: &[f64; GROUP]) -> (WideGroup, bool) {
+    fn exact(&self, params: &Params<[i64; GROUP]>, limits: &[f64; GROUP]) -> (ExactGroup, bool) {
+        let (from_x, from_y) = (f64::from(self.dx), f64::from(self.dy));
+        let ([ox, oy], [rx, ry]) = (self.origin, self.reach);
+        let row_sign = f64::from(self.row_sign);
+        let mut out = ExactGroup { start: [0.0; GROUP], dx: [0.0; GROUP], dy: [0.0; GROUP] };
+        let mut fits = [false; GROUP];
+        #[allow(clippy::needless_range_loop, reason = "one lane of eight arrays")]
+        for lane in 0..GROUP {
+            let start = to_float(params.start[lane]);
+            let (dx, dy) = (to_float(params.dx[lane]), to_float(params.dy[lane]));
+            let sixteenths = dx * from_x + dy * from_y;
+            let dy = dy * row_sign;
+            let (across, down) = (dx * ox, dy * oy);
+            let corner = start + floor(sixteenths * (1.0 / 16.0)) + across + down;
+            // Nothing on the way may have been rounded. Not-a-number does not pass.
+            let largest = start.abs() + 16.0 * (dx.abs() + dy.abs()) + across.abs() + down.abs();
+            let (wide, high) = (dx * rx, dy * ry);
+            let (left, right) = (corner.abs().max((corner + high).abs()), (corner + wide).abs());
+            let value = left.max(right).max((corner + wide + high).abs());
+            fits[lane] =
+                (largest < EXACT_LIMIT && value < limits[lane]) | (limits[lane] == f64::INFINITY);
+            (out.start[lane], out.dx[lane], out.dy[lane]) = (corner, dx, dy);
+        }
+        (out, fits == [true; GROUP])
+    }
+
+    /// The planes as integers.
+    fn wide(&self, params: &Params<[i64; GROUP]>) -> WideGroup {
         let mut out = WideGroup { c: [0; GROUP], dx: [0; GROUP], dy: [0; GROUP] };
-        let mut below = true;
-        #[allow(clippy::needless_range_loop, reason = "one lane of seven arrays")]
         for lane in 0..GROUP {
             let (start, dx, dy) = (params.start[lane], params.dx[lane], params.dy[lane]);
             let moved = times(dx, self.dx).wrapping_add(times(dy, self.dy)) >> COORD_FRACTION;
@@ -414,14 +575,25 @@ impl Corrected {
                 .wrapping_sub(times(dy, self.y));
             out.dx[lane] = dx;
             out.dy[lane] = dy;
-            // The pixel to spare makes up for the sub-pixel correction.
-            let (dx, dy) = (dx as f64, dy as f64);
-            let middle = start as f64 + self.middle[0] * dx + self.middle[1] * dy;
-            let reach = dx.abs() * self.half[0] + dy.abs() * self.half[1];
-            below &= middle.abs() + reach < limits[lane];
         }
-        (out, below)
+        out
     }
+}
+
+/// An integer as a float; not-a-number where it is 2^51 or more in magnitude.
+#[inline(always)]
+fn to_float(value: i64) -> f64 {
+    let bits = (value as u64).wrapping_add(TO_INTEGER.to_bits());
+    let float = f64::from_bits(bits) - TO_INTEGER;
+    if bits >> 52 == TO_INTEGER.to_bits() >> 52 { float } else { f64::NAN }
+}
+
+/// The greatest integer that is not above `value`, for values below 2^51 in
+/// magnitude.
+#[inline(always)]
+fn floor(value: f64) -> f64 {
+    let nearest = (value + TO_INTEGER) - TO_INTEGER;
+    if nearest > value { nearest - 1.0 } else { nearest }
 }
 
 #[inline(always)]

@@ -9,6 +9,7 @@ mod draw;
 mod fog;
 mod palette;
 mod pattern;
+mod raw;
 mod shade;
 mod texture;
 mod write;
@@ -22,6 +23,10 @@ pub use draw::{AlphaTest, DrawState, Origin, Rect, Stipple};
 pub use fog::{FOG_SAMPLES, Fog, FogAmount, FogTable};
 pub use palette::{PALETTE_BITS, PaletteBlend, PaletteDraw, PaletteState};
 pub use pattern::{Axis, Pattern, PatternBits};
+pub(crate) use raw::RawLevel;
+pub use raw::{
+    RawAlpha, RawCombine, RawDraw, RawLight, RawMipmap, RawQuirks, RawState, RawTexture, RawTiling,
+};
 pub use shade::{DecalBase, Shade};
 pub use texture::{Filter, LodRange, MAX_TMUS, TextureCombine, TextureFactor, TextureUnit};
 pub use write::{Channels, LogicOp};

@@ -29,6 +29,9 @@ pub enum PixelFormat {
     /// Colour, 16 bits, of a palette: base colour 7..0, intensity 12..8. Only
     /// the Quark profile draws into it; a clear takes the element as colour.
     Palette,
+    /// Colour, 32 bits: 0xRRGGBBxx. Only the Raw profile draws into it; a
+    /// clear takes the element as colour.
+    Rgbx8888,
     /// Aux, 16 bits: depth (z or pseudo-float w), or alpha in the low byte.
     Aux16,
     /// Aux, 32 bits: depth of any source.
@@ -39,7 +42,10 @@ impl PixelFormat {
     /// Bytes of one element.
     pub fn bytes(self) -> usize {
         match self {
-            PixelFormat::Argb8888 | PixelFormat::Xrgb8888 | PixelFormat::Aux32 => 4,
+            PixelFormat::Argb8888
+            | PixelFormat::Xrgb8888
+            | PixelFormat::Rgbx8888
+            | PixelFormat::Aux32 => 4,
             _ => 2,
         }
     }
@@ -65,6 +71,7 @@ impl PixelFormat {
             PixelFormat::Rgb565
                 | PixelFormat::Xrgb1555
                 | PixelFormat::Xrgb8888
+                | PixelFormat::Rgbx8888
                 | PixelFormat::Rgb332
                 | PixelFormat::Gray8
         )
@@ -76,6 +83,7 @@ impl PixelFormat {
             self,
             PixelFormat::Argb8888
                 | PixelFormat::Xrgb8888
+                | PixelFormat::Rgbx8888
                 | PixelFormat::Gray8
                 | PixelFormat::Alpha8
         )
@@ -103,6 +111,7 @@ impl PixelFormat {
 
 /// Bits of red, green, blue and alpha of formats that are these fields, from
 /// blue as the lowest.
+#[inline]
 fn widths(format: PixelFormat) -> [u32; 4] {
     match format {
         PixelFormat::Rgb565 => [5, 6, 5, 0],
@@ -121,6 +130,7 @@ fn widths(format: PixelFormat) -> [u32; 4] {
 /// + d) >> 4` and `((c << 2) - (c >> 4) + (c >> 6) + d) >> 4`.
 ///
 /// Source: SST1, dithering; the rules for fewer bits are ours, of the same form.
+#[inline]
 fn reduce_dithered(c: u32, bits: u32, d: u32) -> u32 {
     match bits {
         6 => ((c << 2) - (c >> 4) + (c >> 6) + d) >> 4,
@@ -131,11 +141,13 @@ fn reduce_dithered(c: u32, bits: u32, d: u32) -> u32 {
 }
 
 /// The grey of a colour in `Gray8`.
+#[inline]
 fn gray([r, g, b]: [u32; 3]) -> u32 {
     (77 * r + 150 * g + 29 * b + 128) >> 8
 }
 
 /// Packs 0xAARRGGBB for screen position (x, y). Alpha is truncated.
+#[inline]
 pub fn pack(format: PixelFormat, argb: u32, dither: Dither, x: u32, y: u32) -> u32 {
     let [a, r, g, b] = argb.to_be_bytes().map(u32::from);
     match format {
@@ -155,6 +167,7 @@ pub fn pack(format: PixelFormat, argb: u32, dither: Dither, x: u32, y: u32) -> u
 
 /// Widens an element to 0xAARRGGBB by bit replication; absent alpha is 255,
 /// absent colour white.
+#[inline]
 pub fn unpack(format: PixelFormat, element: u32) -> u32 {
     let byte = element & 0xff;
     match format {

@@ -1,6 +1,7 @@
 //! Surfaces: pixels in tiles, owned by one worker at a time.
 
 mod format;
+mod rows;
 mod surface;
 
 pub use format::{PixelFormat, pack, unpack};

@@ -117,6 +117,13 @@ impl TileCell {
         }
     }
 
+    /// Copies consecutive elements of one stamp out.
+    pub fn read(&self, at: usize, to: &mut [u32]) {
+        for (to, at) in to.iter_mut().zip(at..) {
+            *to = self.get(at);
+        }
+    }
+
     pub fn set(&mut self, at: usize, value: u32) {
         self.materialize();
         self.include(value as u16, value as u16);
@@ -170,6 +177,11 @@ impl Surface {
     /// What an element is.
     pub fn format(&self) -> PixelFormat {
         self.format
+    }
+
+    /// log2 of a tile's side.
+    pub(crate) fn tile_bits(&self) -> u32 {
+        self.tile.bits()
     }
 
     /// Tiles in a row of tiles.

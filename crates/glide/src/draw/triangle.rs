@@ -21,7 +21,7 @@ impl Board {
         if self.bounds_check && !corners.iter().all(|v| is_in_range(v)) {
             return;
         }
-        let [a, b, c] = corners.map(|v| self.rules.convert(v));
+        let [a, b, c] = self.rules.convert_all(corners);
         let cull = self.cull();
         if self.stipples_in_pieces() {
             return self.draw_triangle_stippled([&a, &b, &c], cull);

@@ -1,12 +1,11 @@
 //! Bitmaps: rectangles of pixels, cut to the context.
 
-use fillrate_engine::{TmuVertex, Vertex, VertexExtra};
+use fillrate_engine::{TmuVertex, Vertex};
 
 use super::Pen;
 use super::prepare::bind_bitmap;
 use super::triangle::is_finite_gouraud;
 use crate::RaveError;
-use crate::batch::Corner;
 use crate::tags::float;
 use crate::translate::{Paint, PatternUse, Sampled, Variant};
 use crate::vertex::VGouraud;
@@ -38,10 +37,12 @@ impl Pen<'_> {
             opaque: prepared.is_opaque(alpha_is_one && bound.opaque),
             bright: false,
             fog,
+            // Its z is one.
+            z_overflows: false,
             pattern: PatternUse::None,
         };
         let extra = prepared.extra(v.z, v.inv_w, v.a);
-        let base = Vertex { r: 255.0, g: 255.0, b: 255.0, ..prepared.gouraud(v).vertex };
+        let base = Vertex { r: 255.0, g: 255.0, b: 255.0, ..prepared.gouraud(v) };
         let [columns, rows] = bound.size;
         let (top, bottom) = if bound.flipped { (rows, 0.0) } else { (0.0, rows) };
         let place = |at: f32, scale: f32| if scale == 1.0 { (at + 0.5).floor() } else { at };
@@ -50,7 +51,7 @@ impl Pen<'_> {
         if ![left, upper, right, lower].iter().all(|side| side.is_finite()) {
             return self.context.fail(RaveError::Parameter);
         }
-        let corner = |x: f32, y: f32, s: f32, t: f32| at(&base, &extra, [x, y], [s, t]);
+        let corner = |x: f32, y: f32, s: f32, t: f32| at(&base, [x, y], [s, t]);
         let [a, b] = [corner(left, upper, 0.0, top), corner(right, upper, columns, top)];
         let [c, d] = [corner(left, lower, 0.0, bottom), corner(right, lower, columns, bottom)];
         // The state samples the bitmap in place of the texture.
@@ -59,8 +60,8 @@ impl Pen<'_> {
         prepared.bitmap = Some(bound);
         prepared.forget(Paint::Bitmap);
         self.choose(&variant);
-        self.add([a, b, c], is_extended);
-        self.add([b, d, c], is_extended);
+        self.add_flat([a, b, c], &extra, is_extended);
+        self.add_flat([b, d, c], &extra, is_extended);
         if let Some(prepared) = self.context.prepared.as_deref_mut() {
             prepared.around.sampled[0] = texture;
             prepared.bitmap = None;
@@ -70,9 +71,9 @@ impl Pen<'_> {
 }
 
 /// A corner of the rectangle with its texel.
-fn at(base: &Vertex, extra: &VertexExtra, [x, y]: [f32; 2], [s, t]: [f32; 2]) -> Corner {
+fn at(base: &Vertex, [x, y]: [f32; 2], [s, t]: [f32; 2]) -> Vertex {
     let mut vertex = *base;
     (vertex.x, vertex.y) = (x, y);
     vertex.tmu[0] = TmuVertex { s, t, w: 1.0 };
-    Corner { vertex, extra: *extra }
+    vertex
 }

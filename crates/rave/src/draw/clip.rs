@@ -13,8 +13,8 @@ const MARGIN: f32 = 32.0;
 
 /// Whether the renderer's coordinates hold a corner.
 #[inline]
-pub(super) fn fits(corner: &Corner) -> bool {
-    corner.vertex.x.abs() < LIMIT && corner.vertex.y.abs() < LIMIT
+pub(super) fn fits(vertex: &Vertex) -> bool {
+    vertex.x.abs() < LIMIT && vertex.y.abs() < LIMIT
 }
 
 /// The polygon's part near a context of this size. No pixel of the context is
@@ -89,7 +89,7 @@ mod tests {
             extra: VertexExtra::default(),
         };
         let polygon = to_guard(&[at(-1e30, 10.0), at(1e30, 0.0), at(100.0, 1e6)], (320, 220));
-        assert!(polygon.len() >= 3 && polygon.iter().all(fits));
+        assert!(polygon.len() >= 3 && polygon.iter().all(|corner| fits(&corner.vertex)));
         assert!(
             to_guard(&[at(5000.0, 0.0), at(6000.0, 0.0), at(5000.0, 9.0)], (320, 220)).is_empty()
         );

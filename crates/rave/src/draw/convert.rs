@@ -3,7 +3,6 @@
 use fillrate_engine::{TmuVertex, Vertex, VertexExtra};
 
 use super::prepare::{Bound, Prepared};
-use crate::batch::Corner;
 use crate::constants::texture_op;
 use crate::painter::{DEEP_MAX, Z16_MAX};
 use crate::vertex::{VGouraud, VMultiTexture, VTexture};
@@ -20,8 +19,8 @@ fn byte(value: f32) -> f32 {
 impl Prepared {
     /// A coloured corner. Vertex alpha that is fog leaves the corner opaque.
     #[inline]
-    pub(super) fn gouraud(&self, v: &VGouraud) -> Corner {
-        let vertex = Vertex {
+    pub(super) fn gouraud(&self, v: &VGouraud) -> Vertex {
+        Vertex {
             x: v.x,
             y: v.y,
             r: byte(v.r),
@@ -31,8 +30,7 @@ impl Prepared {
             z: v.z.clamp(0.0, 1.0) * Z16_MAX,
             w: v.inv_w * self.w_scale,
             ..Vertex::default()
-        };
-        Corner { vertex, extra: VertexExtra { fog: 255.0, ..VertexExtra::default() } }
+        }
     }
 
     /// What stays of a corner's colour under fog, and its depth in a deep plane.
@@ -57,7 +55,7 @@ impl Prepared {
     /// A textured corner, without the coordinates of further layers. `scale`
     /// multiplies all that is divided by w.
     #[inline]
-    pub(super) fn textured(&self, v: &VTexture, bound: &Bound, scale: f32) -> Corner {
+    pub(super) fn textured(&self, v: &VTexture, bound: &Bound, scale: f32) -> Vertex {
         let diffuse = |kd: f32| kd.clamp(0.0, MAX_DIFFUSE) * 255.0;
         let modulates = self.has(texture_op::MODULATE);
         let [r, g, b] = if !modulates {
@@ -79,7 +77,7 @@ impl Prepared {
             ..Vertex::default()
         };
         vertex.tmu[self.layers] = coordinate(v.inv_w, v.u_over_w, v.v_over_w, bound, scale);
-        Corner { vertex, extra: VertexExtra::default() }
+        vertex
     }
 
     /// The values of a textured corner beyond the engine's own.

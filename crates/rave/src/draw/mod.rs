@@ -12,8 +12,10 @@ mod triangle;
 
 pub(crate) use prepare::Prepared;
 
+use fillrate_engine::{Vertex, VertexExtra};
+
 use crate::RaveError;
-use crate::batch::{Corner, FullState};
+use crate::batch::{Batch, Corner, FullState};
 use crate::draw_context::DrawContext;
 use crate::objects::Objects;
 use crate::queue::Queue;
@@ -58,7 +60,8 @@ impl Pen<'_> {
         let index = match known {
             Some((_, index)) => *index,
             None => {
-                let draw = draw_state(&self.context.state, &prepared.around, variant);
+                let fog = &self.context.fog_table.1;
+                let draw = draw_state(&self.context.state, &prepared.around, variant, fog);
                 let textures = prepared.textures_of(variant.paint);
                 let index = self.queue.batch.states.len() as u32;
                 self.queue.batch.states.push(FullState { draw, textures });
@@ -71,23 +74,37 @@ impl Pen<'_> {
 
     /// Adds a triangle by the chosen variant; it may reach beyond what the
     /// renderer's coordinates hold.
-    fn add(&mut self, corners: [Corner; 3], is_extended: bool) {
-        if !corners.iter().all(clip::fits) {
-            let polygon = clip::to_guard(&corners, self.context.size);
-            for i in 1..polygon.len().saturating_sub(1) {
-                self.add_inside([polygon[0], polygon[i], polygon[i + 1]], is_extended);
-            }
-            return;
+    #[inline]
+    fn add(&mut self, corners: [Vertex; 3]) {
+        if corners.iter().all(clip::fits) {
+            return self.queue.batch.triangle(corners);
         }
-        self.add_inside(corners, is_extended);
+        let corners = corners.map(|vertex| Corner { vertex, ..Corner::default() });
+        self.add_part(&corners, |batch, corners| batch.triangle(corners.map(|c| c.vertex)));
     }
 
-    #[inline]
-    fn add_inside(&mut self, corners: [Corner; 3], is_extended: bool) {
+    /// The same with the values beyond the engine's own.
+    fn add_extended(&mut self, corners: [Corner; 3]) {
+        if corners.iter().all(|corner| clip::fits(&corner.vertex)) {
+            return self.queue.batch.extended(corners);
+        }
+        self.add_part(&corners, Batch::extended);
+    }
+
+    /// Adds the part of a triangle near the context.
+    fn add_part(&mut self, corners: &[Corner; 3], add: fn(&mut Batch, [Corner; 3])) {
+        let polygon = clip::to_guard(corners, self.context.size);
+        for i in 1..polygon.len().saturating_sub(1) {
+            add(&mut self.queue.batch, [polygon[0], polygon[i], polygon[i + 1]]);
+        }
+    }
+
+    /// Adds corners that share their values beyond the engine's own.
+    fn add_flat(&mut self, corners: [Vertex; 3], extra: &VertexExtra, is_extended: bool) {
         if is_extended {
-            self.queue.batch.extended(corners);
+            self.add_extended(corners.map(|vertex| Corner { vertex, extra: *extra }));
         } else {
-            self.queue.batch.triangle(corners.map(|corner| corner.vertex));
+            self.add(corners);
         }
     }
 }

@@ -82,6 +82,11 @@ pub(super) fn prepare(context: &mut DrawContext, objects: &mut Objects) -> Prepa
             }
         }
     }
+    let curve = FogCurve::of(&context.state);
+    if context.fog_table.0 != curve {
+        let table = curve.as_ref().map(FogCurve::table).unwrap_or_default();
+        context.fog_table = (curve, table);
+    }
     let state = &context.state;
     let sampled = |bound: &Option<Bound>, keyed: bool| {
         bound.as_ref().map(|bound| Sampled { levels: bound.levels, keyed })
@@ -94,7 +99,6 @@ pub(super) fn prepare(context: &mut DrawContext, objects: &mut Objects) -> Prepa
         plane,
         sampled: core::array::from_fn(|i| sampled(&bound[i], i == 0 && key.is_some())),
     };
-    let curve = FogCurve::of(state);
     Prepared {
         layers: layer_count(&around),
         resources: bound.iter().flatten().filter_map(|bound| bound.resource).collect(),

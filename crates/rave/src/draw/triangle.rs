@@ -1,9 +1,13 @@
 //! Triangles.
 
+use fillrate_engine::{Vertex, VertexExtra};
+
 use super::Pen;
 use super::convert::w_scale;
 use crate::RaveError;
+use crate::batch::Corner;
 use crate::constants::texture_op;
+use crate::painter::Z16_MAX;
 use crate::translate::{Paint, PatternUse, Variant};
 use crate::vertex::{VGouraud, VTexture};
 
@@ -20,22 +24,18 @@ impl Pen<'_> {
         let alpha_is_one = prepared.alpha_fog || v.iter().all(|v| v.a >= 1.0);
         let fog = prepared.fog_source(v.iter().all(|v| v.inv_w > 0.0));
         let is_extended = prepared.extends(fog);
-        let corners = v.map(|v| {
-            let mut corner = prepared.gouraud(v);
-            if is_extended {
-                corner.extra = prepared.extra(v.z, v.inv_w, v.a);
-            }
-            corner
-        });
+        let corners = v.map(|v| prepared.gouraud(v));
+        let extras = is_extended.then(|| v.map(|v| prepared.extra(v.z, v.inv_w, v.a)));
         let variant = Variant {
             paint: Paint::Gouraud,
             opaque: prepared.is_opaque(alpha_is_one),
             bright: false,
             fog,
+            z_overflows: z_overflows(&corners),
             pattern: PatternUse::Area,
         };
         self.choose(&variant);
-        self.add(corners, is_extended);
+        self.add_with(corners, extras);
     }
 
     /// `QADrawTriTexture`; `at` says which of the multi-texture parameters are
@@ -59,17 +59,15 @@ impl Pen<'_> {
         let is_extended = prepared.extends_texture(fog);
         let scale = w_scale([v[0].inv_w, v[1].inv_w, v[2].inv_w]);
         let corner = |i: usize| {
-            let mut corner = prepared.textured(v[i], bound, scale);
-            if is_extended {
-                corner.extra = prepared.texture_extra(v[i]);
-            }
+            let mut vertex = prepared.textured(v[i], bound, scale);
             for (layer, params) in params.iter().enumerate().take(prepared.layers) {
                 let unit = prepared.layers - 1 - layer;
-                corner.vertex.tmu[unit] = prepared.layer_coordinate(layer, &params[at[i]]);
+                vertex.tmu[unit] = prepared.layer_coordinate(layer, &params[at[i]]);
             }
-            corner
+            vertex
         };
         let corners = [corner(0), corner(1), corner(2)];
+        let extras = is_extended.then(|| v.map(|v| prepared.texture_extra(v)));
         let texel_is_opaque = bound.opaque || prepared.has(texture_op::DECAL);
         let alpha_is_one = prepared.alpha_fog || v.iter().all(|v| v.a >= 1.0);
         let bright = prepared.has(texture_op::MODULATE)
@@ -79,11 +77,24 @@ impl Pen<'_> {
             opaque: prepared.is_opaque(alpha_is_one && texel_is_opaque),
             bright,
             fog,
+            z_overflows: z_overflows(&corners),
             pattern: PatternUse::Area,
         };
         self.use_textures();
         self.choose(&variant);
-        self.add(corners, is_extended);
+        self.add_with(corners, extras);
+    }
+
+    /// Adds corners, with values beyond the engine's own where there are any.
+    #[inline]
+    fn add_with(&mut self, corners: [Vertex; 3], extras: Option<[VertexExtra; 3]>) {
+        match extras {
+            None => self.add(corners),
+            Some(extras) => self.add_extended(core::array::from_fn(|i| Corner {
+                vertex: corners[i],
+                extra: extras[i],
+            })),
+        }
     }
 
     /// A textured triangle while no texture is set: its diffuse colour.
@@ -102,6 +113,24 @@ impl Pen<'_> {
 /// A textured vertex with its diffuse colour alone.
 pub(super) fn plain(v: &VTexture) -> VGouraud {
     VGouraud { x: v.x, y: v.y, z: v.z, inv_w: v.inv_w, r: v.kd_r, g: v.kd_g, b: v.kd_b, a: v.a }
+}
+
+/// Whether fragments of a triangle may get a z outside 0..=65535: its corners
+/// are moved by a sixteenth of a pixel, its plane is not. Conservative.
+#[inline]
+fn z_overflows([a, b, c]: &[Vertex; 3]) -> bool {
+    let low = a.z.min(b.z).min(c.z);
+    let high = a.z.max(b.z).max(c.z);
+    let span = high - low;
+    if span == 0.0 {
+        return false;
+    }
+    // Where the triangle is an eighth of a pixel high at least, its plane rises
+    // by less than the span in a sixteenth, to either side.
+    let (ab, ac) = ([b.x - a.x, b.y - a.y], [c.x - a.x, c.y - a.y]);
+    let area = (ab[0] * ac[1] - ab[1] * ac[0]).abs();
+    let length = ab[0].abs() + ab[1].abs() + ac[0].abs() + ac[1].abs();
+    !(low >= span && high + span <= Z16_MAX && area * 8.0 >= length)
 }
 
 /// Whether all of a vertex are numbers that can be drawn with.

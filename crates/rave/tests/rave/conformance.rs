@@ -164,7 +164,6 @@ fn the_scene_has_its_known_results() {
 }
 
 #[test]
-#[ignore = "fog by distance"]
 fn the_scene_has_its_fog() {
     in_all_contexts(check_fog);
 }

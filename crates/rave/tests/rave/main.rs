@@ -2,4 +2,11 @@
 
 mod calls;
 mod conformance;
+mod engines;
+mod frames;
+mod model;
+mod pixels;
+mod primitives;
+mod replay;
 mod scene;
+mod textures;

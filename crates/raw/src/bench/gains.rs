@@ -4,7 +4,7 @@
 //! alone, then all together; then the improved machine grows from one column to sixteen. The single
 //! tile that everything is compared with is the one of the thesis.
 
-use super::run::{Setting, Test, compare};
+use super::run::{Outcome, Setting, Test, compare};
 use super::vectors::{CHARTED, set_up};
 use crate::call::Call;
 use crate::client::Client;
@@ -12,7 +12,7 @@ use crate::errata::Errata;
 use crate::protocol::Record;
 use crate::sim::{Deadlock, Options};
 
-/// Lines of the charts that the gains are shown for: titles as in [`CHARTED`].
+/// Lines of the charts that the gains of single switches are shown for: titles as in [`CHARTED`].
 pub const MODES: [&str; 5] = [
     "flat colour",
     "bilinear texture",
@@ -31,25 +31,28 @@ const LEG: f32 = 24.0;
 /// Steps from triangle to triangle; shares no factor with their number.
 const STRIDE: u32 = 83;
 
-/// Speed-ups over the thesis's single tile, one for each of [`MODES`], and whether all pictures are
-/// those of the single tile.
+/// Numbers of a table, and whether all pictures behind them are those of the single tile.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// What is switched on, or how many tiles there are.
+    /// What is switched on, or a line of the charts.
     pub name: String,
-    /// Speed-up by mode.
-    pub speed_ups: Vec<f64>,
+    /// A number for each column of the table.
+    pub values: Vec<f64>,
     /// Every picture is the single tile's.
     pub same_pictures: bool,
 }
 
-/// Both tables.
+/// All tables.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gains {
-    /// Sixteen tiles: as in the thesis, with each improvement alone, with the useful combinations.
+    /// Speed-ups of sixteen tiles over the thesis's single tile, by [`MODES`]: as in the thesis,
+    /// with each improvement alone, with the useful combinations.
     pub switches: Vec<Row>,
-    /// All improvements on 4 to 64 tiles.
+    /// Speed-ups with all improvements, by [`SIZES`]; a row for each line of the charts.
     pub scaling: Vec<Row>,
+    /// Active share of each stage of sixteen tiles with all improvements, in percent; a row for each
+    /// line of the charts.
+    pub utilisation: Vec<Row>,
 }
 
 /// The machines of the first table.
@@ -67,37 +70,52 @@ fn machines() -> Vec<(String, Options)> {
     machines.extend(Options::NAMES[1..].iter().map(|name| with(&[name])));
     machines.push(with(&["pixel_pipeline", "overlap_test"]));
     machines.push(with(&["banked", "overlap_test"]));
+    machines.push(with(&["banked", "shared_texturing", "walk_in_stage1"]));
     machines.push(("all but pixel_pipeline".to_owned(), Options::improved(4)));
     machines
 }
 
-/// Measures both tables.
+/// Measures all tables.
 ///
 /// # Errors
 /// A machine got stuck.
 pub fn measure() -> Result<Gains, Deadlock> {
-    let switches = machines().into_iter().map(|(name, options)| row(name, options));
-    let scaling = SIZES
-        .into_iter()
-        .map(|columns| row(format!("{} tiles", 4 * columns), Options::improved(columns)));
-    Ok(Gains {
-        switches: switches.collect::<Result<_, _>>()?,
-        scaling: scaling.collect::<Result<_, _>>()?,
-    })
+    let mut gains = Gains { switches: Vec::new(), scaling: Vec::new(), utilisation: Vec::new() };
+    for (name, options) in machines() {
+        let outcomes = MODES.map(|title| outcome(title, options)).into_iter();
+        let outcomes = outcomes.collect::<Result<Vec<_>, _>>()?;
+        gains.switches.push(row(name, &outcomes));
+    }
+    for line in &CHARTED {
+        let machines = SIZES.map(|columns| outcome(line.title, Options::improved(columns)));
+        let outcomes = machines.into_iter().collect::<Result<Vec<_>, _>>()?;
+        gains.scaling.push(row(line.title.to_owned(), &outcomes));
+        let sixteen = outcomes.iter().filter(|outcome| outcome.columns == 4);
+        gains.utilisation.extend(sixteen.map(|outcome| Row {
+            name: line.title.to_owned(),
+            values: outcome.grid.utilisation(4).map(|share| 100.0 * share).to_vec(),
+            same_pictures: outcome.same_picture,
+        }));
+    }
+    Ok(gains)
 }
 
-fn row(name: String, options: Options) -> Result<Row, Deadlock> {
-    let mut row = Row { name, speed_ups: Vec::new(), same_pictures: true };
-    for title in MODES {
-        let line = CHARTED.iter().find(|line| line.title == title).expect("modes are charted");
-        let (outer, inner) = line.vectors();
-        let setting = Setting { options, ..Setting::default() };
-        let test = Test { outer, inner, scale: 1.0 };
-        let outcome = compare(test, &setting, &records(&test))?;
-        row.speed_ups.push(outcome.speed_up());
-        row.same_pictures &= outcome.same_picture;
+/// A row of speed-ups.
+fn row(name: String, outcomes: &[Outcome]) -> Row {
+    Row {
+        name,
+        values: outcomes.iter().map(Outcome::speed_up).collect(),
+        same_pictures: outcomes.iter().all(|outcome| outcome.same_picture),
     }
-    Ok(row)
+}
+
+/// The scene in a line of the charts, on one tile and on a machine.
+fn outcome(title: &str, options: Options) -> Result<Outcome, Deadlock> {
+    let line = CHARTED.iter().find(|line| line.title == title).expect("modes are charted");
+    let (outer, inner) = line.vectors();
+    let setting = Setting { options, ..Setting::default() };
+    let test = Test { outer, inner, scale: 1.0 };
+    compare(test, &setting, &records(&test))
 }
 
 /// The scene: a field of equal triangles, each overlapping its right neighbour.
@@ -134,21 +152,30 @@ fn triangle(client: &mut Client, [column, row]: [u32; 2], index: u32, alpha: u32
     client.call(&Call::EndPrim {});
 }
 
-/// Both tables as text.
+/// Titles, headings and rows of the tables.
+fn tables(gains: &Gains) -> [(&'static str, Vec<String>, &[Row]); 3] {
+    let modes = MODES.map(str::to_owned).to_vec();
+    let sizes = SIZES.map(|columns| format!("{} tiles", 4 * columns)).to_vec();
+    let stages = [1, 2, 3, 4].map(|stage| format!("stage {stage}")).to_vec();
+    [
+        ("sixteen tiles, speed-up over one", modes, &gains.switches),
+        ("all but pixel_pipeline, speed-up over one tile", sizes, &gains.scaling),
+        ("sixteen tiles, all but pixel_pipeline, percent active", stages, &gains.utilisation),
+    ]
+}
+
+/// All tables as text.
 pub fn table(gains: &Gains) -> String {
     let mut out = String::new();
-    for (title, rows) in [
-        ("sixteen tiles, speed-up over one", &gains.switches),
-        ("all improvements, speed-up over one tile", &gains.scaling),
-    ] {
-        out += &format!("{title:<44}");
-        MODES
-            .iter()
-            .for_each(|mode| out += &format!("{:>17}", mode.chars().take(16).collect::<String>()));
+    for (title, headings, rows) in tables(gains) {
+        out += &format!("{title:<54}");
+        for heading in headings {
+            out += &format!("{:>17}", heading.chars().take(16).collect::<String>());
+        }
         out.push('\n');
         for row in rows {
-            out += &format!("{:<44}", row.name);
-            row.speed_ups.iter().for_each(|speed| out += &format!("{speed:>17.2}"));
+            out += &format!("{:<54}", row.name);
+            row.values.iter().for_each(|value| out += &format!("{value:>17.2}"));
             out += if row.same_pictures { "\n" } else { "  pictures differ\n" };
         }
         out.push('\n');
@@ -156,24 +183,21 @@ pub fn table(gains: &Gains) -> String {
     out
 }
 
-/// Both tables as an HTML page.
+/// All tables as an HTML page.
 pub fn page(gains: &Gains) -> String {
     let mut out = String::from(
         "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>Raw: gains</title>\
          <style>body{font:15px sans-serif;max-width:1100px;margin:auto}td,th{padding:2px 10px;\
          text-align:right}td:first-child{text-align:left}</style>\
-         <h1>What each improvement gains</h1><p>Speed-up over the single tile of the thesis, 320 \
-         triangles of 288 pixels.</p>",
+         <h1>What each improvement gains</h1><p>320 triangles of 288 pixels; speed-ups are over the \
+         single tile of the thesis.</p>",
     );
-    for (title, rows) in [
-        ("Sixteen tiles", &gains.switches),
-        ("All improvements but the pixel pipeline", &gains.scaling),
-    ] {
+    for (title, headings, rows) in tables(gains) {
         out += &format!("<h2>{title}</h2><table><tr><th></th>");
-        MODES.iter().for_each(|mode| out += &format!("<th>{mode}</th>"));
+        headings.iter().for_each(|heading| out += &format!("<th>{heading}</th>"));
         for row in rows {
             out += &format!("</tr><tr><td>{}</td>", row.name);
-            row.speed_ups.iter().for_each(|speed| out += &format!("<td>{speed:.2}</td>"));
+            row.values.iter().for_each(|value| out += &format!("<td>{value:.2}</td>"));
         }
         out += "</tr></table>";
     }

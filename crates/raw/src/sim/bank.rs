@@ -15,6 +15,7 @@ use super::cache::LINE_WORDS;
 use super::kernel::TaskId;
 use super::machine::{Machine, PixelMessage, Tile, Wait};
 use super::stage4::{self, DepthLine, visible};
+use super::texturing::Texturing;
 use super::ticket::Ticket;
 use crate::stage::Fragment;
 use crate::state::ModeBits;
@@ -128,6 +129,8 @@ struct Banked {
     /// The primitive has been read to its end.
     ended: bool,
     line: DepthLine,
+    /// For the fragments that this tile textures.
+    texturing: Texturing,
 }
 
 /// What a wait ended with.
@@ -147,17 +150,24 @@ pub async fn run(m: Rc<Machine>, column: usize) {
         held_back: None,
         ended: true,
         line: DepthLine::default(),
+        texturing: Texturing::new(&m, 3, column),
         m,
     };
     loop {
         match tile.receive().await {
-            PixelMessage::Flush(from) => stage4::answer_flush(&tile.m, column, from).await,
-            PixelMessage::Prim(mode, ticket) => {
-                (tile.mode, tile.ticket) = (mode, ticket);
+            PixelMessage::Flush(from) => {
+                tile.texturing.forget_table();
+                stage4::answer_flush(&tile.m, column, from).await;
+            }
+            PixelMessage::Prim(info, ticket) => {
+                (tile.mode, tile.ticket) = (info.mode, ticket);
+                if tile.m.options.shared_texturing {
+                    tile.texturing.begin(info);
+                }
                 tile.primitive().await;
             }
             // Fragments and ends are read inside a primitive.
-            PixelMessage::Frag(_) | PixelMessage::End => {}
+            PixelMessage::Frag(_) | PixelMessage::Later(_) | PixelMessage::End => {}
         }
     }
 }
@@ -192,17 +202,23 @@ impl Banked {
     /// Reads one message of the primitive.
     async fn read(&mut self) {
         match self.receive().await {
-            PixelMessage::Frag(fragment) => {
-                self.m.work(self.tile(), self.m.costs.s4.buffer);
-                if visible(&fragment) {
-                    self.keep(fragment);
-                }
+            PixelMessage::Frag(fragment) => self.take(fragment),
+            PixelMessage::Later(fragment) => {
+                let fragment = self.texturing.finish(&fragment);
+                self.take(fragment);
             }
             _ => {
                 self.ended = true;
                 // A bank with nothing to draw need not be asked for.
                 (0..self.m.banks).for_each(|bank| self.close_if_done(bank));
             }
+        }
+    }
+
+    fn take(&mut self, fragment: Fragment) {
+        self.m.work(self.tile(), self.m.costs.s4.buffer);
+        if visible(&fragment) {
+            self.keep(fragment);
         }
     }
 

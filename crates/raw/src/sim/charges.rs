@@ -34,11 +34,17 @@ pub fn walk(c: &Costs, work: RasterWork, parts: u32, mut charge: impl FnMut(Burs
     charge(c.s2.visit.times(work.visited).share(parts, 15));
 }
 
-/// Stage 2 making a fragment.
+/// Stage 2 making a fragment, without what its values are divided by.
 pub fn cover(c: &Costs, needs: Interpolants, mut charge: impl FnMut(Burst)) {
     charge(c.s2.cover);
+    if needs.z {
+        charge(c.s2.z);
+    }
+}
+
+/// Recovering w, and dividing the values of a fragment.
+pub fn divide(c: &Costs, needs: Interpolants, mut charge: impl FnMut(Burst)) {
     let parts = [
-        (needs.z, c.s2.z),
         (needs.color, c.s2.color),
         (needs.alpha, c.s2.alpha),
         (needs.uv, c.s2.uv),

@@ -17,7 +17,7 @@ use crate::device::Core;
 use crate::error::StreamError;
 use crate::host::HostError;
 use crate::stage::{Fragment, TransPrim, UntexFragment};
-use crate::state::{ModeBits, PrimInfo};
+use crate::state::PrimInfo;
 
 /// From stage 1 to stage 2.
 pub enum PrimMessage {
@@ -33,6 +33,12 @@ pub enum FragMessage {
     Prim(PrimInfo, Ticket),
     /// A fragment of it.
     Frag(UntexFragment),
+    /// A fragment whose values are not divided by w yet.
+    Undivided(UntexFragment),
+    /// A fragment that stage 2 has textured itself.
+    Done(Fragment),
+    /// A fragment that stage 4 is to texture.
+    Later(UntexFragment),
     /// It ends.
     End,
     /// A flush marker.
@@ -41,10 +47,12 @@ pub enum FragMessage {
 
 /// From stage 3 to stage 4.
 pub enum PixelMessage {
-    /// A primitive begins: mode and place in the order.
-    Prim(ModeBits, Ticket),
+    /// A primitive begins: state, of which the thesis sends the mode, and place in the order.
+    Prim(PrimInfo, Ticket),
     /// A fragment of it.
     Frag(Fragment),
+    /// A fragment to be textured here.
+    Later(UntexFragment),
     /// It ends.
     End,
     /// A flush marker.

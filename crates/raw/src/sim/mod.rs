@@ -25,6 +25,7 @@ mod stage2;
 mod stage3;
 mod stage4;
 mod switch;
+mod texturing;
 mod ticket;
 
 use std::cell::{Cell, RefCell};

@@ -1,6 +1,7 @@
 //! Switches of the model: the size of the grid, and what chapter 6 of the thesis would improve.
 
 use super::pipe::STEPS;
+use crate::stage::composite::Outcome;
 use crate::stage::raster::Interpolants;
 use crate::state::ModeBits;
 
@@ -62,7 +63,18 @@ options! {
     /// The frame buffer and the depths have a bank and a port for each column; with the pixel
     /// pipeline, for every four columns.
     banked = false,
+    /// Stages 2 and 4 texture some of the fragments, or stage 3 divides some for stage 2, so that
+    /// the three are equally busy.
+    shared_texturing = false,
+    /// Stage 1 walks the edges and sends rows of covered pixels, where that relieves the busiest
+    /// stage.
+    walk_in_stage1 = false,
+    /// The frame-buffer controller blends: it is sent colour and alpha, and reads what is there.
+    blend_in_controller = false,
 }
+
+/// Parts of testing a pixel that go with its edges: stepping three and testing them.
+pub(super) const EDGE_PARTS: u32 = 7;
 
 impl Options {
     /// The machine of the thesis with all improvements, `columns` wide.
@@ -95,10 +107,18 @@ impl Options {
     }
 
     /// Of fifteen parts of testing a pixel, those that are needed: four for the test and one for
-    /// each plane stepped.
-    pub(super) fn visit_parts(&self, needs: Interpolants) -> u32 {
+    /// each plane stepped. `walked` says that stage 1 has walked the edges.
+    pub(super) fn visit_parts(&self, needs: Interpolants, walked: bool) -> u32 {
         let lanes = needs.planes() - u32::from(needs.z);
-        if self.lean_raster { (7 + lanes).min(15) } else { 15 }
+        let all = if self.lean_raster { (EDGE_PARTS + lanes).min(15) } else { 15 };
+        // Without edges the count of the row's pixels is left to be tested.
+        if walked { all - EDGE_PARTS + 1 } else { all }
+    }
+
+    /// Words of the state at the beginning of a primitive from stage 3 to 4: tag, mode and number,
+    /// and all of it where stage 4 textures.
+    pub(super) fn pixel_info_words(&self, mode: ModeBits) -> u32 {
+        if self.shared_texturing && !self.uses_pipes() { self.info_words(mode, 8) } else { 3 }
     }
 
     /// Of thirteen words of a fragment into and out of stage 3, those that are sent.
@@ -142,11 +162,23 @@ impl Options {
             + u32::from(needs.intensity)
     }
 
+    /// Words of a fragment from stage 2 to 3 whose values are not divided: 1/w comes along, and
+    /// channels take a word each.
+    pub(super) fn undivided_words(&self, needs: Interpolants, follows: bool) -> u32 {
+        let channels = 2 * u32::from(needs.color) + u32::from(needs.alpha);
+        self.fragment_words(needs, follows) + channels + 1
+    }
+
     /// Words of a fragment from stage 3 to 4: tag, place, depth, colour.
     pub(super) fn pixel_words(&self, mode: ModeBits, follows: bool) -> u32 {
         let place = if self.implicit_coordinates && follows { 0 } else { 2 };
         let depth = if self.minimal_messages && !mode.touches_z() { 0 } else { 1 };
         2 + place + depth
+    }
+
+    /// Pixels that a stage-4 tile reads and blends for a fragment.
+    pub(super) fn read_by_tile(&self, outcome: &Outcome) -> u32 {
+        if self.blend_in_controller { 0 } else { outcome.page_reads }
     }
 
     /// Words stage 3 spends on telling its switch how much to route.

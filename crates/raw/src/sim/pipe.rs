@@ -73,11 +73,14 @@ impl Head {
         let above = self.m.tile_number(2, column);
         let message = self.m.receive(self.tile(), link, Wait::Words(above)).await;
         match message {
-            PixelMessage::Prim(mode, ticket) => self.lanes[column].mode = Some((mode, ticket)),
+            PixelMessage::Prim(info, ticket) => {
+                self.lanes[column].mode = Some((info.mode, ticket));
+            }
             PixelMessage::Frag(fragment) if visible(&fragment) => {
                 self.lanes[column].next = Some(fragment);
             }
-            PixelMessage::Frag(_) => {}
+            // Pipelines are sent nothing to texture.
+            PixelMessage::Frag(_) | PixelMessage::Later(_) => {}
             PixelMessage::End => {
                 if let Some((_, ticket)) = self.lanes[column].mode.take() {
                     self.m.progress[self.pipe].finish(ticket.number);
@@ -175,8 +178,9 @@ async fn work(m: &Machine, tile: &Tile, at: (usize, usize), step: usize, outcome
     match step {
         1 if outcome.depth_written => m.work(tile, m.costs.s4.z_write),
         2 => {
-            m.work(tile, m.costs.s4.blend.times(outcome.page_reads));
-            m.work(tile, Burst::new(m.costs.s4.round_trip * outcome.page_reads, 0));
+            let read = m.options.read_by_tile(outcome);
+            m.work(tile, m.costs.s4.blend.times(read));
+            m.work(tile, Burst::new(m.costs.s4.round_trip * read, 0));
         }
         3 => {
             m.catch_up(tile).await;

@@ -121,6 +121,7 @@ impl Observer for SingleTile {
         charges::walk(&costs, work, 15, |burst| self.charge(burst));
         if let Some(needs) = self.needs {
             charges::cover(&costs, needs, |burst| self.charge(burst));
+            charges::divide(&costs, needs, |burst| self.charge(burst));
         }
         charges::combine(&costs, info, textured, |burst| self.charge(burst));
         for address in textured.addresses.iter().flatten() {

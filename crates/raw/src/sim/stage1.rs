@@ -9,12 +9,14 @@ use super::boot;
 use super::charges;
 use super::cost::Burst;
 use super::machine::{Machine, PrimMessage, Tile, Wait};
+use super::options::EDGE_PARTS;
 use super::switch;
+use super::texturing::Division;
 use super::ticket::{Extent, Ticket};
 use crate::device::{MAX_FAULTS, READY, Replies};
 use crate::error::StreamError;
 use crate::opcode::Opcode;
-use crate::stage::raster::Interpolants;
+use crate::stage::raster::{Interpolants, Rasterizer};
 use crate::stage::{InputVertex, TransPrim, geometry, ordering};
 use crate::state::{RenderState, STATE_WORDS};
 use crate::stream::{SceneEvent, SceneReader};
@@ -23,6 +25,10 @@ use crate::stream::{SceneEvent, SceneReader};
 const END_SCENE: u32 = u32::MAX;
 /// Words of a primitive on the dynamic network: two messages with headers, tag and 40 words.
 const PRIM_WORDS: u32 = 43;
+/// Words of a row of covered pixels: its place, its first column and its last.
+const ROW_WORDS: u32 = 3;
+/// Words of a message beside its header.
+const MESSAGE_WORDS: u32 = 31;
 /// Words of a further part: two headers, a tag and three vertices.
 const PART_WORDS: u32 = 36;
 
@@ -307,6 +313,9 @@ impl Stage1 {
                 further += 3 * needs.planes();
             }
         }
+        if work.visible && Division::of(&m.costs, &m.options, &info).walked {
+            further += self.walk(&parts);
+        }
         let words = m.options.prim_words(info.mode, PRIM_WORDS) + further;
         m.work(self.tile(), m.costs.s1.send_word.times(words));
         let down = m.tile_number(1, self.column);
@@ -319,6 +328,26 @@ impl Stage1 {
             self.go_ahead().await;
         }
         self.ready().await;
+    }
+
+    /// Walks the edges of all parts; returns the words that the rows of covered pixels take.
+    fn walk(&self, parts: &[TransPrim]) -> u32 {
+        let (m, tile) = (&self.m, self.tile());
+        let config = m.core.borrow().config;
+        let mut words = 0;
+        for part in parts.iter().filter(|part| part.info.mode.draw() == 1) {
+            let mut walker = Rasterizer::new(part, config.width, config.height, &config.errata);
+            let mut rows = None;
+            for fragment in walker.by_ref() {
+                if rows.replace(fragment.y) != Some(fragment.y) {
+                    words += ROW_WORDS;
+                }
+            }
+            let work = walker.take_work();
+            charges::walk(&m.costs, work, EDGE_PARTS, |burst| m.work(tile, burst));
+        }
+        // A message has a header and a tag.
+        words + 2 * words.div_ceil(MESSAGE_WORDS - 1)
     }
 
     /// The place of a primitive in the order: its sequence number, or where stage 4 keeps track of

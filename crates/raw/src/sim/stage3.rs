@@ -3,28 +3,19 @@
 use std::rc::Rc;
 
 use super::boot;
-use super::cache::Cache;
 use super::charges;
 use super::cost::Burst;
 use super::machine::{FragMessage, Machine, PixelMessage, Wait};
 use super::pipe::STEPS;
+use super::texturing::Texturing;
 use crate::stage::raster::Interpolants;
-use crate::stage::{UntexFragment, combine};
-use crate::state::PrimInfo;
-use crate::texture::TextureManager;
+use crate::stage::{Fragment, UntexFragment};
 
 /// What a stage-3 tile remembers.
 struct Stage3 {
     m: Rc<Machine>,
     column: usize,
-    info: PrimInfo,
-    cache: Cache,
-    /// The texture table is read again after a flush.
-    table_stale: bool,
-    /// The version of each texture that the cache holds texels of.
-    versions: Vec<u64>,
-    /// Texels as the cache holds them, where re-uploads do not reach it.
-    cached: Option<Box<TextureManager>>,
+    texturing: Texturing,
     last: Option<(u32, u32)>,
 }
 
@@ -32,61 +23,31 @@ struct Stage3 {
 pub async fn run(m: Rc<Machine>, column: usize) {
     boot::tile(&m, 2, column).await;
     let above = m.tile_number(1, column);
-    let (entries, cached) = {
-        let core = m.core.borrow();
-        let stale = core.config.errata.uploads_stay_cached;
-        (core.config.texture_entries, stale.then(|| Box::new(core.textures.clone())))
-    };
-    let mut tile = Stage3 {
-        m: Rc::clone(&m),
-        column,
-        info: PrimInfo::default(),
-        cache: Cache::default(),
-        table_stale: true,
-        versions: vec![0; entries],
-        cached,
-        last: None,
-    };
+    let texturing = Texturing::new(&m, 2, column);
+    let mut tile = Stage3 { m: Rc::clone(&m), column, texturing, last: None };
     loop {
         let message = m.receive(m.tile(2, column), &m.frags[column], Wait::Words(above)).await;
         match message {
             FragMessage::Flush(from) => {
-                tile.table_stale = true;
+                tile.texturing.forget_table();
                 tile.send_all(|| PixelMessage::Flush(from), 2).await;
             }
             FragMessage::Prim(info, ticket) => {
-                tile.begin(info);
-                tile.send_all(|| PixelMessage::Prim(info.mode, ticket), 3).await;
+                tile.last = None;
+                tile.texturing.begin(info);
+                let words = m.options.pixel_info_words(info.mode);
+                tile.send_all(|| PixelMessage::Prim(info, ticket), words).await;
             }
-            FragMessage::Frag(fragment) => tile.texture(&fragment).await,
+            FragMessage::Frag(fragment) => tile.texture(&fragment, false).await,
+            FragMessage::Undivided(fragment) => tile.texture(&fragment, true).await,
+            FragMessage::Done(fragment) => tile.pass_done(fragment).await,
+            FragMessage::Later(fragment) => tile.pass_later(fragment).await,
             FragMessage::End => tile.send_all(|| PixelMessage::End, 1).await,
         }
     }
 }
 
 impl Stage3 {
-    /// A primitive begins: its entry of the texture table is looked at.
-    fn begin(&mut self, info: PrimInfo) {
-        self.info = info;
-        self.last = None;
-        if !info.mode.uses_texture() {
-            return;
-        }
-        if std::mem::take(&mut self.table_stale) {
-            self.m.fetch_line(self.m.tile(2, self.column), 2, self.m.costs.miss);
-        }
-        let core = self.m.core.borrow();
-        let id = info.texture_id as usize;
-        let (version, words) = core.textures.version(info.texture_id);
-        if let Some(seen) = self.versions.get_mut(id).filter(|seen| **seen != version) {
-            *seen = version;
-            self.cache.drop_words(words);
-        }
-        if let Some(cached) = &mut self.cached {
-            cached.adopt_table(&core.textures);
-        }
-    }
-
     /// Sends a message that every pixel pipeline must see, or the one tile below.
     async fn send_all(&self, message: impl Fn() -> PixelMessage, words: u32) {
         let pipes = self.m.lanes.len() / self.m.columns;
@@ -112,39 +73,49 @@ impl Stage3 {
         m.frags[column].hold_until(tile.clock.get() + u64::from(m.costs.switch_turn));
     }
 
-    async fn texture(&mut self, fragment: &UntexFragment) {
+    /// Whether a fragment is right of the one before it.
+    fn follows(&mut self, x: u32, y: u32) -> bool {
+        self.last.replace((x, y)) == Some((x.wrapping_sub(1), y))
+    }
+
+    async fn texture(&mut self, fragment: &UntexFragment, undivided: bool) {
         let m = Rc::clone(&self.m);
-        let tile = m.tile(2, self.column);
-        let follows = self.last.replace((fragment.x, fragment.y))
-            == Some((fragment.x.wrapping_sub(1), fragment.y));
-        let textured = {
-            let core = m.core.borrow();
-            combine::process(&core.textures, &self.info, fragment, &core.config.errata)
+        let follows = self.follows(fragment.x, fragment.y);
+        let mode = self.texturing.info().mode;
+        let (tile, needs) = (m.tile(2, self.column), Interpolants::of(mode));
+        let words_in = match undivided {
+            true => m.options.undivided_words(needs, follows),
+            false => m.options.fragment_words(needs, follows),
         };
-        let mode = self.info.mode;
-        let words_in = m.options.fragment_words(Interpolants::of(mode), follows);
         let words = m.options.pixel_words(mode, follows);
-        m.work(tile, m.costs.s3.transfer.share(m.options.transfer_parts(words_in, words), 13));
-        charges::combine(&m.costs, &self.info, &textured, |burst| m.work(tile, burst));
-        for address in textured.addresses.iter().flatten() {
-            if self.cache.touch(*address as u64) {
-                m.fetch_line(tile, 2, m.costs.miss);
-                if let Some(cached) = &mut self.cached {
-                    cached.copy_line(&m.core.borrow().textures, *address);
-                }
-            }
+        let parts = m.options.transfer_parts(words_in, words);
+        m.work(tile, m.costs.s3.transfer.share(parts, 13));
+        if undivided {
+            charges::divide(&m.costs, needs, |burst| m.work(tile, burst));
         }
-        let textured = match &self.cached {
-            Some(cached) => {
-                combine::process(cached, &self.info, fragment, &m.core.borrow().config.errata)
-            }
-            None => textured,
-        };
-        m.count(|c| {
-            c.tex_frags += 1;
-            c.texels += u64::from(textured.looked_up);
-        });
-        let pipe = (!m.lanes.is_empty()).then(|| m.bank_of(&textured.fragment));
-        self.send(pipe, PixelMessage::Frag(textured.fragment), words).await;
+        let fragment = self.texturing.finish(fragment);
+        self.send_pixel(fragment, words).await;
+    }
+
+    async fn send_pixel(&self, fragment: Fragment, words: u32) {
+        let pipe = (!self.m.lanes.is_empty()).then(|| self.m.bank_of(&fragment));
+        self.send(pipe, PixelMessage::Frag(fragment), words).await;
+    }
+
+    /// Passes on what stage 2 has textured.
+    async fn pass_done(&mut self, fragment: Fragment) {
+        let follows = self.follows(fragment.x, fragment.y);
+        let words = self.m.options.pixel_words(self.texturing.info().mode, follows);
+        self.m.work(self.m.tile(2, self.column), self.m.options.pass(&self.m.costs, words));
+        self.send_pixel(fragment, words).await;
+    }
+
+    /// Passes on what stage 4 will texture.
+    async fn pass_later(&mut self, fragment: UntexFragment) {
+        let follows = self.follows(fragment.x, fragment.y);
+        let needs = Interpolants::of(self.texturing.info().mode);
+        let words = self.m.options.fragment_words(needs, follows);
+        self.m.work(self.m.tile(2, self.column), self.m.options.pass(&self.m.costs, words));
+        self.send(None, PixelMessage::Later(fragment), words).await;
     }
 }

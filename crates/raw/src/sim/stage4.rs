@@ -2,15 +2,17 @@
 //!
 //! Source: RAW, section 3.3.3 and the stage-4 listing.
 
+use std::cell::RefCell;
 use std::rc::Rc;
 
 use super::charges;
 use super::cost::Burst;
 use super::machine::{Machine, PixelMessage, Tile, Wait};
+use super::texturing::Texturing;
 use crate::color;
 use crate::stage::composite::Outcome;
 use crate::stage::{Fragment, composite};
-use crate::state::ModeBits;
+use crate::state::{ModeBits, PrimInfo};
 
 /// The interrupt handler of a column: keeps the token when the program wants it, else passes it on.
 pub async fn handler(m: Rc<Machine>, column: usize) {
@@ -51,6 +53,8 @@ struct Stage4 {
     mode: ModeBits,
     seq: u32,
     line: DepthLine,
+    /// For the fragments that this tile textures.
+    texturing: RefCell<Texturing>,
 }
 
 /// What a wait for input or token ended with.
@@ -62,17 +66,22 @@ enum Arrival {
 /// Runs a stage-4 tile for good.
 pub async fn run(m: Rc<Machine>, column: usize) {
     let mode = ModeBits::default();
-    let mut tile = Stage4 { m, column, mode, seq: 0, line: DepthLine::default() };
+    let texturing = RefCell::new(Texturing::new(&m, 3, column));
+    let mut tile = Stage4 { m, column, mode, seq: 0, line: DepthLine::default(), texturing };
     loop {
         match tile.receive().await {
-            PixelMessage::Flush(from) => answer_flush(&tile.m, column, from).await,
-            PixelMessage::Prim(mode, ticket) => {
+            PixelMessage::Flush(from) => {
+                tile.texturing.borrow_mut().forget_table();
+                answer_flush(&tile.m, column, from).await;
+            }
+            PixelMessage::Prim(info, ticket) => {
                 // The thesis's number, which a count of finished primitives is compared with.
-                (tile.mode, tile.seq) = (mode, ticket.number as u32);
+                (tile.mode, tile.seq) = (info.mode, ticket.number as u32);
+                tile.begin(info);
                 tile.primitive().await;
             }
             // Fragments and ends are read inside a primitive.
-            PixelMessage::Frag(_) | PixelMessage::End => {}
+            PixelMessage::Frag(_) | PixelMessage::Later(_) | PixelMessage::End => {}
         }
     }
 }
@@ -80,6 +89,12 @@ pub async fn run(m: Rc<Machine>, column: usize) {
 impl Stage4 {
     fn tile(&self) -> &Tile {
         self.m.tile(3, self.column)
+    }
+
+    fn begin(&self, info: PrimInfo) {
+        if self.m.options.shared_texturing {
+            self.texturing.borrow_mut().begin(info);
+        }
     }
 
     async fn receive(&self) -> PixelMessage {
@@ -93,6 +108,10 @@ impl Stage4 {
             PixelMessage::Frag(fragment) => {
                 self.m.work(self.tile(), self.m.costs.s4.buffer);
                 Some(fragment)
+            }
+            PixelMessage::Later(fragment) => {
+                self.m.work(self.tile(), self.m.costs.s4.buffer);
+                Some(self.texturing.borrow_mut().finish(&fragment))
             }
             _ => None,
         }
@@ -295,30 +314,37 @@ pub fn draw(
         (outcome, core.target.frame.address(fragment.x, fragment.y))
     };
     m.work(tile, m.costs.s4.pixel);
-    charges::composite(&m.costs, &outcome, |burst| m.work(tile, burst));
+    let read = m.options.read_by_tile(&outcome);
+    charges::composite(&m.costs, &Outcome { page_reads: read, ..outcome }, |burst| {
+        m.work(tile, burst);
+    });
     if outcome.tested {
         line.fetch(m, tile, bank, address);
     }
-    m.work(tile, Burst::new(m.costs.s4.round_trip * outcome.page_reads, 0));
+    m.work(tile, Burst::new(m.costs.s4.round_trip * read, 0));
     send_pixels(m, tile, (bank, column), &outcome);
     m.count(|c| c.pixels += u64::from(outcome.page_writes));
 }
 
 /// Words of a message to the frame-buffer controller: header, address, colour.
 const PIXEL_WORDS: u64 = 3;
+/// Cycles the controller takes to read a pixel and to mix it with another.
+const MIX_CYCLES: u64 = 2;
 /// Cycles of work that may wait at a port of the controller before senders are held up.
 const PORT_QUEUE: u64 = 16;
 
 /// Sends the writes of a fragment to the controller's port for a bank. The controller takes a cycle
-/// for a word and one for an access; a sender that is too fast for it, or for the network, waits.
+/// for a word and one for an access, and where it blends itself, one for reading and one for mixing; a sender that is too fast for it, or for the network, waits.
 pub fn send_pixels(m: &Machine, tile: &Tile, (bank, column): (usize, usize), outcome: &Outcome) {
     let port = bank * m.columns / m.banks;
+    let mixes = m.options.blend_in_controller && outcome.page_reads > 0;
+    let accesses = PIXEL_WORDS + if mixes { MIX_CYCLES } else { 0 };
     for _ in 0..outcome.page_writes {
         let sent = tile.clock.get();
         let arrival = m.gdn.send(sent, (3, column), (4, port), PIXEL_WORDS);
         let busy = &m.controllers[bank];
-        busy.set(busy.get().max(arrival) + PIXEL_WORDS);
-        let held_up = busy.get().saturating_sub(arrival + PIXEL_WORDS + PORT_QUEUE);
+        busy.set(busy.get().max(arrival) + accesses);
+        let held_up = busy.get().saturating_sub(arrival + accesses + PORT_QUEUE);
         // What the network alone delays shows once its queues are full, too.
         let late = arrival.saturating_sub(sent + PORT_QUEUE + 2 * m.columns as u64);
         tile.clock.set(sent + held_up.max(late));

@@ -91,7 +91,7 @@ fn combine(info: &PrimInfo, base: u32, texel: u32, errata: &Errata) -> u32 {
 
 /// The blend weight 0.0..=1.0 as 0..=255.
 #[inline(always)]
-fn balance(weight: f32) -> u32 {
+pub(crate) fn balance(weight: f32) -> u32 {
     ((weight * 256.0) as u32).min(255)
 }
 

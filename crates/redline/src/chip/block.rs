@@ -90,7 +90,8 @@ impl VeriteChip {
     /// The format of host pixels of so many bytes: the source's where it has as
     /// many.
     fn host_format(&self, bytes: u32) -> Option<PixFmt> {
-        let source = self.state.source_format().filter(|format| format.bytes() == bytes);
+        let same = |format: &PixFmt| bytes > 0 && format.bytes() == bytes;
+        let source = self.state.source_format().filter(same);
         source.or(match bytes {
             1 => Some(PixFmt::Gray8),
             2 => Some(PixFmt::Rgb565),

@@ -237,7 +237,26 @@ impl Binding {
                 texels.push(argb);
             }
         }
-        build([self.columns.bits, self.rows.bits], self.columns.clamps(), &texels, &keys)
+        let bits = [self.columns.bits, self.rows.bits];
+        if !keys.is_empty() {
+            spread(&mut texels, &keys, bits[0]);
+        }
+        build(bits, self.columns.clamps(), &texels, &keys)
+    }
+}
+
+/// Gives keyed texels the colour of a neighbour that is not keyed, so that
+/// filtered samples near them show only colours of the others.
+fn spread(texels: &mut [u32], keys: &[bool], column_bits: u32) {
+    let width = 1usize << column_bits;
+    let count = texels.len();
+    // Offsets modulo the number of texels; a texture may be a single row.
+    let offsets = [1, count - 1, width, 2 * count - width, width + 1, 2 * count - width - 1];
+    for at in (0..count).filter(|&at| keys[at]) {
+        let neighbours = offsets.map(|offset| (at + offset) % count);
+        if let Some(neighbour) = neighbours.into_iter().find(|&neighbour| !keys[neighbour]) {
+            texels[at] = texels[neighbour];
+        }
     }
 }
 

@@ -6,10 +6,16 @@ use crate::error::{Result, VlRoutine};
 use crate::opcode::Opcode;
 use crate::vertex::{Attribute, VertexType, q_normalize};
 
-/// The vertex type with this code, for `routine`.
+/// The vertex type with this code, for `routine`, if the sink's board knows it.
 #[inline]
-fn vertex_type(routine: VlRoutine, code: u32) -> Result<VertexType> {
-    VertexType::from_code(code).ok_or(invalid(routine))
+fn vertex_type<S: CommandSink + ?Sized>(
+    sink: &S,
+    routine: VlRoutine,
+    code: u32,
+) -> Result<VertexType> {
+    let vertex = VertexType::from_code(code);
+    let known = |v: &VertexType| !v.is_specular() || sink.has_specular();
+    vertex.filter(known).ok_or(invalid(routine))
 }
 
 /// A first word, `head` words and vertices.
@@ -46,7 +52,7 @@ fn chain<S: CommandSink + ?Sized>(
     [number, count]: [u32; 2],
     vertices: &[u32],
 ) -> Result<()> {
-    let vertex = vertex_type(routine, code)?;
+    let vertex = vertex_type(sink, routine, code)?;
     let words = count as usize * vertex.words();
     let vertices = vertices.get(..words).ok_or(invalid(routine))?;
     let out = sink.reserve(2 + words, 0).map_err(|error| unadded(routine, error))?;
@@ -71,7 +77,7 @@ macro_rules! primitives {
             $($v: &[u32],)*
         ) -> Result<()> {
             let routine = VlRoutine::$opcode;
-            let vertex = vertex_type(routine, vertex)?;
+            let vertex = vertex_type(sink, routine, vertex)?;
             primitive(sink, routine, Opcode::$opcode, vertex, [$($head),*], &[$($v),*])
         }
     )*};
@@ -106,7 +112,7 @@ pub fn triangle_norm_q<S: CommandSink + ?Sized>(
     corners: [&[u32]; 3],
 ) -> Result<()> {
     let routine = VlRoutine::TriangleNormQ;
-    let vertex = vertex_type(routine, vertex)?;
+    let vertex = vertex_type(sink, routine, vertex)?;
     let size = vertex.words();
     if corners.iter().any(|corner| corner.len() < size) {
         return Err(invalid(routine));

@@ -245,7 +245,6 @@ fn htri6(board: &mut Board, specular: bool) {
 }
 
 #[test]
-#[ignore = "the engine does not add specular colours yet"]
 fn htri6_specular() {
     let mut old = board(Chip::V1000, true);
     htri6(&mut old, false);

@@ -10,6 +10,7 @@ mod floats;
 mod ints;
 mod levels;
 mod memory;
+mod singles;
 
 use crate::{Kernel, Level, MAX_LANES, MaskLanes, Simd};
 

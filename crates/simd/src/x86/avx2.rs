@@ -3,7 +3,7 @@
 use core::arch::x86_64::*;
 
 use super::{binary, float_operator, four, operator, shifts};
-use crate::{FloatLanes, IntLanes, Kernel, Level, MaskLanes, Simd};
+use crate::{FloatLanes, IntLanes, Kernel, Level, MaskLanes, Simd, SingleLanes};
 
 /// The token of the AVX2 level.
 #[derive(Clone, Copy, Debug)]
@@ -15,6 +15,9 @@ pub struct I(__m256i);
 /// Eight floats.
 #[derive(Clone, Copy)]
 pub struct F(__m256d, __m256d);
+/// Eight 32-bit floats.
+#[derive(Clone, Copy)]
+pub struct G(__m256);
 /// Eight switches, all ones or zero.
 #[derive(Clone, Copy)]
 pub struct M(__m256i);
@@ -44,6 +47,7 @@ impl Simd for Avx2 {
     const LEVEL: Level = Level::Avx2;
     type I = I;
     type F = F;
+    type G = G;
     type M = M;
 
     #[inline(always)]
@@ -120,6 +124,23 @@ impl Simd for Avx2 {
             _mm256_storeu_pd(to.as_mut_ptr(), lanes.0);
             _mm256_storeu_pd(to.as_mut_ptr().add(4), lanes.1);
         }
+    }
+    #[inline(always)]
+    fn splat_g(self, value: f32) -> G {
+        // SAFETY: the token proves AVX2.
+        G(unsafe { _mm256_set1_ps(value) })
+    }
+    #[inline(always)]
+    fn load_g(self, from: &[f32]) -> G {
+        let from = &from[..8];
+        // SAFETY: the slice holds 32 bytes; the load takes any alignment.
+        G(unsafe { _mm256_loadu_ps(from.as_ptr()) })
+    }
+    #[inline(always)]
+    fn store_g(self, lanes: G, to: &mut [f32]) {
+        let to = &mut to[..8];
+        // SAFETY: the slice holds 32 bytes; the store takes any alignment.
+        unsafe { _mm256_storeu_ps(to.as_mut_ptr(), lanes.0) }
     }
     #[inline(always)]
     fn mask(self, bits: u32) -> M {
@@ -265,6 +286,43 @@ impl FloatLanes for F {
     }
 }
 
+impl SingleLanes for G {
+    type I = I;
+    type M = M;
+
+    #[inline(always)]
+    fn to_bits(self) -> I {
+        // SAFETY: lanes exist only where AVX2 was detected.
+        I(unsafe { _mm256_castps_si256(self.0) })
+    }
+    #[inline(always)]
+    fn from_bits(bits: I) -> G {
+        // SAFETY: lanes exist only where AVX2 was detected.
+        G(unsafe { _mm256_castsi256_ps(bits.0) })
+    }
+    #[inline(always)]
+    fn from_i32(lanes: I) -> G {
+        // SAFETY: lanes exist only where AVX2 was detected.
+        G(unsafe { _mm256_cvtepi32_ps(lanes.0) })
+    }
+    #[inline(always)]
+    fn to_i32(self) -> I {
+        // SAFETY: lanes exist only where AVX2 was detected.
+        unsafe {
+            // The conversion gives the least integer for what does not fit.
+            let limit = _mm256_set1_ps(2_147_483_648.0);
+            let above = _mm256_castps_si256(_mm256_cmp_ps::<_CMP_GE_OQ>(self.0, limit));
+            let number = _mm256_castps_si256(_mm256_cmp_ps::<_CMP_ORD_Q>(self.0, self.0));
+            I(_mm256_and_si256(_mm256_xor_si256(_mm256_cvttps_epi32(self.0), above), number))
+        }
+    }
+    #[inline(always)]
+    fn lt(self, other: G) -> M {
+        // SAFETY: lanes exist only where AVX2 was detected.
+        M(unsafe { _mm256_castps_si256(_mm256_cmp_ps::<_CMP_LT_OQ>(self.0, other.0)) })
+    }
+}
+
 impl MaskLanes for M {
     #[inline(always)]
     fn bits(self) -> u32 {
@@ -282,5 +340,9 @@ float_operator!(F, Add, add, _mm256_add_pd);
 float_operator!(F, Sub, sub, _mm256_sub_pd);
 float_operator!(F, Mul, mul, _mm256_mul_pd);
 float_operator!(F, Div, div, _mm256_div_pd);
+operator!(G, Add, add, _mm256_add_ps);
+operator!(G, Sub, sub, _mm256_sub_ps);
+operator!(G, Mul, mul, _mm256_mul_ps);
+operator!(G, Div, div, _mm256_div_ps);
 operator!(M, BitAnd, bitand, _mm256_and_si256);
 operator!(M, BitOr, bitor, _mm256_or_si256);

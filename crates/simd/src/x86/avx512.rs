@@ -4,7 +4,7 @@ use core::arch::x86_64::*;
 use core::ops::{BitAnd, BitOr};
 
 use super::{binary, float_operator, four, operator, shifts};
-use crate::{FloatLanes, IntLanes, Kernel, Level, MaskLanes, Simd};
+use crate::{FloatLanes, IntLanes, Kernel, Level, MaskLanes, Simd, SingleLanes};
 
 /// The token of the AVX-512 level.
 #[derive(Clone, Copy, Debug)]
@@ -16,6 +16,9 @@ pub struct I(__m512i);
 /// Sixteen floats.
 #[derive(Clone, Copy)]
 pub struct F(__m512d, __m512d);
+/// Sixteen 32-bit floats.
+#[derive(Clone, Copy)]
+pub struct G(__m512);
 /// Sixteen switches.
 #[derive(Clone, Copy)]
 pub struct M(__mmask16);
@@ -49,6 +52,7 @@ impl Simd for Avx512 {
     const LEVEL: Level = Level::Avx512;
     type I = I;
     type F = F;
+    type G = G;
     type M = M;
 
     #[inline(always)]
@@ -117,6 +121,23 @@ impl Simd for Avx512 {
             _mm512_storeu_pd(to.as_mut_ptr(), lanes.0);
             _mm512_storeu_pd(to.as_mut_ptr().add(8), lanes.1);
         }
+    }
+    #[inline(always)]
+    fn splat_g(self, value: f32) -> G {
+        // SAFETY: the token proves AVX-512.
+        G(unsafe { _mm512_set1_ps(value) })
+    }
+    #[inline(always)]
+    fn load_g(self, from: &[f32]) -> G {
+        let from = &from[..16];
+        // SAFETY: the slice holds 64 bytes; the load takes any alignment.
+        G(unsafe { _mm512_loadu_ps(from.as_ptr()) })
+    }
+    #[inline(always)]
+    fn store_g(self, lanes: G, to: &mut [f32]) {
+        let to = &mut to[..16];
+        // SAFETY: the slice holds 64 bytes; the store takes any alignment.
+        unsafe { _mm512_storeu_ps(to.as_mut_ptr(), lanes.0) }
     }
     #[inline(always)]
     fn mask(self, bits: u32) -> M {
@@ -267,6 +288,44 @@ impl FloatLanes for F {
     }
 }
 
+impl SingleLanes for G {
+    type I = I;
+    type M = M;
+
+    #[inline(always)]
+    fn to_bits(self) -> I {
+        // SAFETY: lanes exist only where AVX-512 was detected.
+        I(unsafe { _mm512_castps_si512(self.0) })
+    }
+    #[inline(always)]
+    fn from_bits(bits: I) -> G {
+        // SAFETY: lanes exist only where AVX-512 was detected.
+        G(unsafe { _mm512_castsi512_ps(bits.0) })
+    }
+    #[inline(always)]
+    fn from_i32(lanes: I) -> G {
+        // SAFETY: lanes exist only where AVX-512 was detected.
+        G(unsafe { _mm512_cvtepi32_ps(lanes.0) })
+    }
+    #[inline(always)]
+    fn to_i32(self) -> I {
+        // SAFETY: lanes exist only where AVX-512 was detected.
+        unsafe {
+            // The conversion gives the least integer for what does not fit.
+            let limit = _mm512_set1_ps(2_147_483_648.0);
+            let above = _mm512_cmp_ps_mask::<_CMP_GE_OQ>(self.0, limit);
+            let number = _mm512_cmp_ps_mask::<_CMP_ORD_Q>(self.0, self.0);
+            let whole = _mm512_maskz_cvttps_epi32(number, self.0);
+            I(_mm512_mask_mov_epi32(whole, above, _mm512_set1_epi32(i32::MAX)))
+        }
+    }
+    #[inline(always)]
+    fn lt(self, other: G) -> M {
+        // SAFETY: lanes exist only where AVX-512 was detected.
+        M(unsafe { _mm512_cmp_ps_mask::<_CMP_LT_OQ>(self.0, other.0) })
+    }
+}
+
 impl MaskLanes for M {
     #[inline(always)]
     fn bits(self) -> u32 {
@@ -283,6 +342,10 @@ float_operator!(F, Add, add, _mm512_add_pd);
 float_operator!(F, Sub, sub, _mm512_sub_pd);
 float_operator!(F, Mul, mul, _mm512_mul_pd);
 float_operator!(F, Div, div, _mm512_div_pd);
+operator!(G, Add, add, _mm512_add_ps);
+operator!(G, Sub, sub, _mm512_sub_ps);
+operator!(G, Mul, mul, _mm512_mul_ps);
+operator!(G, Div, div, _mm512_div_ps);
 
 impl BitAnd for M {
     type Output = M;

@@ -3,7 +3,7 @@
 use core::arch::x86_64::*;
 
 use super::{binary, entry, float_operator, operator, shifts};
-use crate::{FloatLanes, IntLanes, Kernel, Level, MaskLanes, Simd};
+use crate::{FloatLanes, IntLanes, Kernel, Level, MaskLanes, Simd, SingleLanes};
 
 /// The token of the SSE4.1 level.
 #[derive(Clone, Copy, Debug)]
@@ -15,6 +15,9 @@ pub struct I(__m128i);
 /// Four floats.
 #[derive(Clone, Copy)]
 pub struct F(__m128d, __m128d);
+/// Four 32-bit floats.
+#[derive(Clone, Copy)]
+pub struct G(__m128);
 /// Four switches, all ones or zero.
 #[derive(Clone, Copy)]
 pub struct M(__m128i);
@@ -49,6 +52,7 @@ impl Simd for Sse41 {
     const LEVEL: Level = Level::Sse41;
     type I = I;
     type F = F;
+    type G = G;
     type M = M;
 
     #[inline(always)]
@@ -119,6 +123,23 @@ impl Simd for Sse41 {
             _mm_storeu_pd(to.as_mut_ptr(), lanes.0);
             _mm_storeu_pd(to.as_mut_ptr().add(2), lanes.1);
         }
+    }
+    #[inline(always)]
+    fn splat_g(self, value: f32) -> G {
+        // SAFETY: SSE.
+        G(unsafe { _mm_set1_ps(value) })
+    }
+    #[inline(always)]
+    fn load_g(self, from: &[f32]) -> G {
+        let from = &from[..4];
+        // SAFETY: the slice holds 16 bytes; the load takes any alignment.
+        G(unsafe { _mm_loadu_ps(from.as_ptr()) })
+    }
+    #[inline(always)]
+    fn store_g(self, lanes: G, to: &mut [f32]) {
+        let to = &mut to[..4];
+        // SAFETY: the slice holds 16 bytes; the store takes any alignment.
+        unsafe { _mm_storeu_ps(to.as_mut_ptr(), lanes.0) }
     }
     #[inline(always)]
     fn mask(self, bits: u32) -> M {
@@ -258,6 +279,42 @@ impl FloatLanes for F {
     }
 }
 
+impl SingleLanes for G {
+    type I = I;
+    type M = M;
+
+    #[inline(always)]
+    fn to_bits(self) -> I {
+        // SAFETY: lanes exist only where SSE4.1 was detected.
+        I(unsafe { _mm_castps_si128(self.0) })
+    }
+    #[inline(always)]
+    fn from_bits(bits: I) -> G {
+        // SAFETY: lanes exist only where SSE4.1 was detected.
+        G(unsafe { _mm_castsi128_ps(bits.0) })
+    }
+    #[inline(always)]
+    fn from_i32(lanes: I) -> G {
+        // SAFETY: lanes exist only where SSE4.1 was detected.
+        G(unsafe { _mm_cvtepi32_ps(lanes.0) })
+    }
+    #[inline(always)]
+    fn to_i32(self) -> I {
+        // SAFETY: lanes exist only where SSE4.1 was detected.
+        unsafe {
+            // The conversion gives the least integer for what does not fit.
+            let above = _mm_castps_si128(_mm_cmpge_ps(self.0, _mm_set1_ps(2_147_483_648.0)));
+            let number = _mm_castps_si128(_mm_cmpord_ps(self.0, self.0));
+            I(_mm_and_si128(_mm_xor_si128(_mm_cvttps_epi32(self.0), above), number))
+        }
+    }
+    #[inline(always)]
+    fn lt(self, other: G) -> M {
+        // SAFETY: lanes exist only where SSE4.1 was detected.
+        M(unsafe { _mm_castps_si128(_mm_cmplt_ps(self.0, other.0)) })
+    }
+}
+
 impl MaskLanes for M {
     #[inline(always)]
     fn bits(self) -> u32 {
@@ -275,5 +332,9 @@ float_operator!(F, Add, add, _mm_add_pd);
 float_operator!(F, Sub, sub, _mm_sub_pd);
 float_operator!(F, Mul, mul, _mm_mul_pd);
 float_operator!(F, Div, div, _mm_div_pd);
+operator!(G, Add, add, _mm_add_ps);
+operator!(G, Sub, sub, _mm_sub_ps);
+operator!(G, Mul, mul, _mm_mul_ps);
+operator!(G, Div, div, _mm_div_ps);
 operator!(M, BitAnd, bitand, _mm_and_si128);
 operator!(M, BitOr, bitor, _mm_or_si128);

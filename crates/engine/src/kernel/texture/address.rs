@@ -3,11 +3,11 @@
 use fillrate_simd::{FloatLanes, IntLanes, Simd};
 
 use super::UnitPlan;
-use super::lod::{lod_at, smallest_w, smallest_w_below};
+use super::lod::{linear_lods, lod_at, smallest_w, smallest_w_below};
 use crate::kernel::Pass;
 use crate::kernel::block::{Block, Lanes, STAMP, Slot};
 use crate::kernel::lanes::ramp_wide;
-use crate::setup::Plane64;
+use crate::setup::{Plane64, PlaneF, Triangle};
 use crate::state::Filter;
 use crate::texture::MAX_LEVELS;
 
@@ -66,11 +66,11 @@ impl TextureSteps {
     };
 
     #[inline(always)]
-    fn set<S: Simd>(&mut self, s: S, plan: &UnitPlan, [ps, pt, w]: [Plane64; 3], base: i32) {
+    fn set<S: Simd>(&mut self, s: S, plan: &UnitPlan, [ps, pt, w]: [PlaneF; 3], base: i32) {
         ramp_wide(s, &ps, &mut self.s);
         ramp_wide(s, &pt, &mut self.t);
         ramp_wide(s, &w, &mut self.w);
-        let (right, down) = (w.dx as f64 * 3.0, w.dy as f64 * 3.0);
+        let (right, down) = (w.dx * 3.0, w.dy * 3.0);
         self.rise = right.max(0.0) + down.max(0.0);
         self.fall = right.min(0.0) + down.min(0.0);
         self.base = base;
@@ -113,6 +113,8 @@ impl TextureSteps {
 
 /// w where there is no perspective: one everywhere.
 const NO_PERSPECTIVE: Plane64 = Plane64 { c: 1 << 32, dx: 0, dy: 0 };
+/// The same.
+const NO_PERSPECTIVE_F: PlaneF = PlaneF { start: (1u64 << 32) as f64, dx: 0.0, dy: 0.0 };
 
 /// Coordinates of every fragment of the block for `plan`'s unit: texel
 /// addresses of both rows, and the weights.
@@ -123,29 +125,45 @@ pub(crate) fn address<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, plan: &
     let mut out = Samples { row0, row1, weight_s, weight_t };
     for (slot, &at) in slots[..*count].iter().enumerate() {
         let triangle = pass.triangle(&at);
-        let mut planes = pass.triangles.unit(triangle, plan.index);
-        if !plan.unit.perspective {
-            planes[2] = NO_PERSPECTIVE;
-        }
         let base = triangle.lod_base[plan.index] + i32::from(plan.unit.lod.bias);
         let lod = &mut lod.0[slot * STAMP..][..STAMP];
-        if plan.needs_lod || !triangle.exact {
-            lods_of_stamp(lod, plan, &planes[2], base, at);
-        }
         if !triangle.exact {
+            let planes = integer_planes(pass, triangle, plan);
+            lods_of_stamp(lod, plan, &planes[2], base, at);
             inexact_stamp(s, &mut out, plan, planes, (slot, at), lod);
             continue;
+        }
+        if plan.needs_lod {
+            let w = pass.triangles.unit_w(triangle, plan.index);
+            let w = if plan.unit.perspective { w } else { NO_PERSPECTIVE };
+            lods_of_stamp(lod, plan, &w, base, at);
+        }
+        let mut planes = pass.triangles.exact_unit(triangle, plan.index);
+        if !plan.unit.perspective {
+            planes[2] = NO_PERSPECTIVE_F;
         }
         if at.triangle != steps.triangle {
             steps.triangle = at.triangle;
             steps.set(s, plan, planes, base);
         }
+        let offset = triangle.offset(at.x, at.y);
+        let values = [planes[0].at(offset), planes[1].at(offset), planes[2].at(offset)];
         if plan.needs_lod {
-            stamp::<S, true>(s, &mut out, plan, planes, (slot, at), lod, steps);
+            stamp::<S, true>(s, &mut out, plan, values, slot, lod, steps);
         } else {
-            stamp::<S, false>(s, &mut out, plan, planes, (slot, at), lod, steps);
+            stamp::<S, false>(s, &mut out, plan, values, slot, lod, steps);
         }
     }
+}
+
+/// The planes where floats will not do.
+#[inline(always)]
+fn integer_planes(pass: &Pass<'_>, triangle: &Triangle, plan: &UnitPlan) -> [Plane64; 3] {
+    let mut planes = pass.triangles.unit(triangle, plan.index);
+    if !plan.unit.perspective {
+        planes[2] = NO_PERSPECTIVE;
+    }
+    planes
 }
 
 /// Where a unit's samples are described.
@@ -157,7 +175,15 @@ struct Samples<'a> {
 }
 
 /// Levels of detail of a stamp's fragments, one by one.
+#[inline(always)]
 fn lods_of_stamp(out: &mut [i32], plan: &UnitPlan, w: &Plane64, base: i32, at: Slot) {
+    if plan.is_next {
+        // Those of the finer level are there.
+        return;
+    }
+    if plan.unit.mix_levels {
+        return linear_lods(out, plan, w, base, at);
+    }
     for (i, out) in out[..STAMP].iter_mut().enumerate() {
         let (x, y) = (at.x + (i & 3) as i32, at.y + (i >> 2) as i32);
         *out = lod_at(plan, base, w.at(x, y), x, y);
@@ -201,23 +227,22 @@ fn inexact_stamp<S: Simd>(
     }
 }
 
-/// A stamp in float lanes; `LODS` where levels come from `lods`.
+/// A stamp in float lanes, from s, t and w at its first fragment; `LODS` where
+/// levels come from `lods`.
 #[inline(always)]
 fn stamp<S: Simd, const LODS: bool>(
     s: S,
     out: &mut Samples<'_>,
     plan: &UnitPlan,
-    [ps, pt, pw]: [Plane64; 3],
-    (slot, at): (usize, Slot),
+    [corner_s, corner_t, corner_w]: [f64; 3],
+    slot: usize,
     lods: &[i32],
     steps: &mut TextureSteps,
 ) {
-    let corner_w = pw.at(at.x, at.y) as f64;
     // w is linear, so its extremes are at corners.
     let (smallest, largest) = (corner_w + steps.fall, corner_w + steps.rise);
     let level = if LODS { None } else { steps.level(smallest, largest) };
-    let base_s = s.splat_f(ps.at(at.x, at.y) as f64);
-    let base_t = s.splat_f(pt.at(at.x, at.y) as f64);
+    let (base_s, base_t) = (s.splat_f(corner_s), s.splat_f(corner_t));
     let base_w = s.splat_f(corner_w);
     let (zero, scale) = (s.splat_f(0.0), s.splat_f(256.0));
     for j in (0..STAMP).step_by(S::LANES) {

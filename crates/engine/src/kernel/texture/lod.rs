@@ -6,15 +6,16 @@
 //! thresholds, exactly.
 
 use super::UnitPlan;
+use crate::kernel::block::{STAMP, Slot};
 use crate::log2::{log2_8, log2_8_int, smallest_with_log2_8};
-use crate::setup::Plane64;
+use crate::setup::{Plane64, PlaneF};
 use crate::state::DITHER_4X4;
 
 /// Level of detail at w = 1, of planes with 32 fraction bits; far below any
 /// limit where s and t are constant.
 #[inline(always)]
-pub(crate) fn lod_base(s: &Plane64, t: &Plane64) -> i32 {
-    let length = |s: i64, t: i64| (s as f64) * (s as f64) + (t as f64) * (t as f64);
+pub(crate) fn lod_base(s: &PlaneF, t: &PlaneF) -> i32 {
+    let length = |s: f64, t: f64| s * s + t * t;
     let longest = length(s.dx, t.dx).max(length(s.dy, t.dy));
     if longest > 0.0 { log2_8(longest) >> 1 } else { -0x8000 }
 }
@@ -34,6 +35,7 @@ pub(super) fn smallest_w_below(base: i32, level: i32) -> f64 {
 
 /// 256 times the logarithm of a positive float that is linear between powers of
 /// two, rounded down.
+#[inline(always)]
 fn linear_log2_8(value: f64) -> i32 {
     (value.to_bits() >> 44) as i32 - (1023 << 8)
 }
@@ -48,8 +50,22 @@ pub(super) fn lod_at(plan: &UnitPlan, base: i32, w: i64, x: i32, y: i32) -> i32 
     } else {
         0
     };
-    let log = if plan.unit.mix_levels { linear_log2_8(w as f64) } else { log2_8_int(w as u64) };
-    plan.limit(base - log + dither)
+    plan.limit(base - log2_8_int(w as u64) + dither)
+}
+
+/// The levels of detail of a stamp at `at` where levels are mixed, limited.
+#[inline(always)]
+pub(super) fn linear_lods(out: &mut [i32], plan: &UnitPlan, w: &Plane64, base: i32, at: Slot) {
+    let corner = w.at(at.x, at.y);
+    for (i, out) in out[..STAMP].iter_mut().enumerate() {
+        let (column, row) = (i & 3, i >> 2);
+        let right = w.dx.wrapping_mul(column as i64);
+        let value = corner.wrapping_add(right).wrapping_add(w.dy.wrapping_mul(row as i64));
+        let dither = i32::from(DITHER_4X4[row][column]) << 4;
+        let dither = if plan.unit.lod_dither { dither } else { 0 };
+        let lod = plan.limit(base - linear_log2_8(value as f64) + dither);
+        *out = if value > 0 { lod } else { plan.lod_max };
+    }
 }
 
 #[cfg(test)]
@@ -73,10 +89,11 @@ mod tests {
 
     #[test]
     fn one_texel_a_pixel_is_level_0() {
-        let plane = |dx: i64| Plane64 { c: 0, dx, dy: 0 };
-        let base = lod_base(&plane(1 << 32), &plane(0));
+        let plane = |dx: f64| PlaneF { start: 0.0, dx, dy: 0.0 };
+        let one = (1u64 << 32) as f64;
+        let base = lod_base(&plane(one), &plane(0.0));
         assert_eq!(base - log2_8_int(1 << 32), 0);
-        let base = lod_base(&plane(4 << 32), &plane(0));
+        let base = lod_base(&plane(4.0 * one), &plane(0.0));
         assert_eq!(base - log2_8_int(1 << 32), 0x200);
     }
 }

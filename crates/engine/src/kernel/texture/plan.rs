@@ -38,6 +38,8 @@ pub(crate) struct UnitPlan {
     pub has_other: bool,
     /// Where levels are mixed: the same plan one level coarser.
     pub next: Option<Box<UnitPlan>>,
+    /// This is such a plan.
+    pub is_next: bool,
     pub switches: Switches,
     pub arithmetic: Arithmetic,
 }
@@ -77,6 +79,7 @@ impl UnitPlan {
             texel_only: passes_texel(&combine),
             has_other,
             next: None,
+            is_next: coarser > 0,
             switches: Switches::new(&combine.color, &combine.alpha),
             arithmetic: Arithmetic::of(&combine.color, &combine.alpha, true),
             texture,
