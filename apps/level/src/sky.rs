@@ -83,11 +83,11 @@ mod tests {
 
     #[test]
     fn sides_are_seen_from_inside_and_meet() {
-        for i in 0..6 {
+        for (i, name) in SIDES.into_iter().enumerate() {
             let [a, b, c, _] = side(i);
             // Right times down points away from the eye.
             let away = cross(sub(b.0, a.0), sub(c.0, b.0));
-            assert!(dot(away, a.0) > 0.0, "{}", SIDES[i]);
+            assert!(dot(away, a.0) > 0.0, "{name}");
         }
         // The upper edge of the right side is an edge of the upper one.
         let up: Vec<Vec3> = side(4).iter().map(|corner| corner.0).collect();
