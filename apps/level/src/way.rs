@@ -1,7 +1,7 @@
 //! Ways through a level that do not pass through walls.
 //!
 //! Places are those of a grid, looked at only as a search comes to them. A
-//! camera has room at a place where nothing solid is within [`ROOM`] of it.
+//! camera has room at a place where nothing solid is within `ROOM` of it.
 
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};
