@@ -119,6 +119,12 @@ fn regress_redline_block_of_no_bytes() {
     Fuzzer::new(Target::RedlineCalls).run(&input(208_156));
 }
 
+/// No rows, each of nearly 4 GiB.
+#[test]
+fn regress_redline_rows_of_all_bytes() {
+    Fuzzer::new(Target::RedlineCalls).run(&input(407_846));
+}
+
 /// Streams of RRedline hold every call, command and register, and draw the same
 /// on any number of threads.
 #[test]

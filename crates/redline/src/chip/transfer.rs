@@ -24,7 +24,7 @@ impl VeriteChip {
             return;
         }
         let data = bytes_of(&words[4..]);
-        let padded = row.next_multiple_of(4) as usize;
+        let padded = (row as usize).next_multiple_of(4);
         for (y, bytes) in data.chunks_exact(padded).enumerate() {
             let Some(at) = row_address(base, pitch, y as u32) else { return };
             self.write_bytes(at, &bytes[..row as usize]);
