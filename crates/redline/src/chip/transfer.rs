@@ -24,8 +24,8 @@ impl VeriteChip {
             return;
         }
         let data = bytes_of(&words[4..]);
-        let padded = (row as usize).next_multiple_of(4);
-        for (y, bytes) in data.chunks_exact(padded).enumerate() {
+        let Some(padded) = row.checked_next_multiple_of(4) else { return };
+        for (y, bytes) in data.chunks_exact(padded as usize).enumerate() {
             let Some(at) = row_address(base, pitch, y as u32) else { return };
             self.write_bytes(at, &bytes[..row as usize]);
         }
