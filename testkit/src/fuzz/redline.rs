@@ -207,7 +207,10 @@ fn primitive(from: &mut Bytes<'_>, out: &mut Vec<u32>) {
         Opcode::Triangle,
         Opcode::Triangle,
     ];
-    let opcode = KINDS[usize::from(from.byte() & 15)];
+    let opcode = match from.byte() {
+        240.. => Opcode::Palette,
+        kind => KINDS[usize::from(kind & 15)],
+    };
     let vertex = VertexType::ALL[usize::from(from.byte()) % VertexType::ALL.len()];
     out.push(vertex.code() << 16 | opcode as u32);
     let count = u32::from(from.byte() % 4);
@@ -226,14 +229,21 @@ fn primitive(from: &mut Bytes<'_>, out: &mut Vec<u32>) {
 }
 
 fn fast_triangle(from: &mut Bytes<'_>, out: &mut Vec<u32>) {
-    let (opcode, vertex) = match from.byte() & 3 {
-        0 => (Opcode::FtriKxyz, VertexType::KXYZ),
-        1 => (Opcode::FtriKsxyzuvq, VertexType::KSXYZUVQ),
-        2 => (Opcode::FtriKfxyzuvq, VertexType::KSXYZUVQ),
-        _ => (Opcode::FtriKxyz, VertexType::KXYZ),
+    use Attribute::{K, Q, S, U, V, X, Y, Z};
+    let (opcode, words): (_, &[Attribute]) = match from.byte() & 7 {
+        0 | 4 => (Opcode::FtriKxyz, &[K, X, Y, Z]),
+        1 | 5 => (Opcode::FtriKsxyzuvq, &[K, S, X, Y, Z, U, V, Q]),
+        // Fog in place of the second colour: any word will do.
+        2 | 6 => (Opcode::FtriKfxyzuvq, &[K, S, X, Y, Z, U, V, Q]),
+        3 => (Opcode::FtriKxyzuvq, &[K, X, Y, Z, U, V, Q]),
+        _ => (Opcode::FtriKsxyz, &[K, S, X, Y, Z]),
     };
     out.push(opcode as u32);
-    vertices(from, vertex, 3, out);
+    for _ in 0..3 {
+        for &word in words {
+            out.push(attribute(from, word));
+        }
+    }
 }
 
 /// A register with one of its values mostly, anything now and then.
@@ -301,7 +311,10 @@ fn two_dimensional(from: &mut Bytes<'_>, texture: u32, out: &mut Vec<u32>) {
         Opcode::Display,
         Opcode::IntPolyline,
     ];
-    let opcode = KINDS[usize::from(from.byte() & 15)];
+    let opcode = match from.byte() {
+        240.. => Opcode::Palette,
+        kind => KINDS[usize::from(kind & 15)],
+    };
     let first = out.len();
     out.push(u32::from(from.byte() & 1) << 16 | opcode as u32);
     match opcode {
@@ -357,6 +370,7 @@ fn two_dimensional(from: &mut Bytes<'_>, texture: u32, out: &mut Vec<u32>) {
             out.extend((0..=segments).map(|_| pair(from)));
             return;
         }
+        Opcode::Palette => out.extend([0, small(from)]),
         Opcode::Display => out.push(address(from, texture)),
         _ => out.extend([pair(from), pair(from)]),
     }
