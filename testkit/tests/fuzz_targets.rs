@@ -159,7 +159,8 @@ fn redline_streams_are_whole_and_steady() {
     assert_eq!(calls, all);
     assert_eq!(opcodes.len(), Opcode::ALL.len(), "{opcodes:?}");
     assert_eq!(registers.len(), Register::ALL.len(), "{registers:?}");
-    assert!(drawn.len() > 1_000, "{} pictures", drawn.len());
+    // Of 200 streams; a wrong command skips the rest of its buffer.
+    assert!(drawn.len() > 100, "{} pictures", drawn.len());
 }
 
 /// Every call there is, calls of the next release included.
