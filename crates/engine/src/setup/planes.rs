@@ -128,8 +128,9 @@ impl PlaneF {
     }
 
     /// The same from the screen's first pixel on.
+    #[inline(always)]
     fn integers(&self, (x, y): (i32, i32)) -> Plane64 {
-        let [start, dx, dy] = [self.start, self.dx, self.dy].map(|v| v as i64);
+        let (start, dx, dy) = (self.start as i64, self.dx as i64, self.dy as i64);
         let c = start.wrapping_sub(times(dx, x)).wrapping_sub(times(dy, y));
         Plane64 { c, dx, dy }
     }
@@ -224,7 +225,8 @@ impl Triangles {
     #[inline(always)]
     pub fn unit(&self, triangle: &Triangle, unit: usize) -> [Plane64; 3] {
         let first = wide_lane(unit, 0).1;
-        [0, 1, 2].map(|param| self.plane(triangle, unit, first + param))
+        let plane = |param| self.plane(triangle, unit, first + param);
+        [plane(0), plane(1), plane(2)]
     }
 
     /// w of a unit in use.
