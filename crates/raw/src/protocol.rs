@@ -98,17 +98,25 @@ impl Record {
 
     /// Writes a record.
     pub fn bytes(self) -> [u8; RECORD_BYTES] {
-        let name = NAMES.iter().find(|(_, record)| *record == self);
-        let text = match (self, name) {
-            (Record::Text(bytes), _) => return bytes,
-            (Record::Data(word), _) => format!("0x{word:08x}"),
-            (_, Some((name, _))) => format!("{name:*<10}"),
-            (_, None) => unreachable!("every record but data and text has a name"),
-        };
-        let mut out = [b'\n'; RECORD_BYTES];
-        out[..RECORD_BYTES - 1].copy_from_slice(text.as_bytes());
-        out
+        match self {
+            Record::Text(bytes) => bytes,
+            Record::Data(word) => data(word),
+            named => {
+                let name = NAMES.iter().find(|(_, record)| *record == named);
+                padded(name.expect("every record but data and text has a name").0)
+            }
+        }
     }
+}
+
+/// A word as the eleven bytes of a record. Whole frame buffers are sent so:
+/// no text is made on the way.
+fn data(word: u32) -> [u8; RECORD_BYTES] {
+    let mut out = *b"0x00000000\n";
+    for (i, digit) in out[2..10].iter_mut().enumerate() {
+        *digit = b"0123456789abcdef"[(word >> (28 - 4 * i) & 15) as usize];
+    }
+    out
 }
 
 /// Text as the eleven bytes of a record.
