@@ -210,8 +210,8 @@ mod tests {
     #[test]
     fn work_must_not_grow_with_workers() {
         let costs = |instructions| levels(instructions)["avx2"].clone();
-        assert!(check_shared(&costs(100.0), &costs(101.0)).is_ok());
-        assert!(check_shared(&costs(100.0), &costs(110.0)).is_err());
+        assert!(check_shared(&costs(100.0), &costs(100.0 * SHARED - 1.0)).is_ok());
+        assert!(check_shared(&costs(100.0), &costs(100.0 * SHARED + 1.0)).is_err());
     }
 
     #[test]
