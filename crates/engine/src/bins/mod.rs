@@ -5,8 +5,9 @@
 //! order, so submission order is kept whoever worked on what.
 
 use core::ops::Range;
+use std::sync::Arc;
 
-use crate::device::arena::{Arena, Command, Run};
+use crate::device::arena::{Arena, BatchState, Command, Run};
 use crate::setup::{
     Edge, Extra, ExtraNeeds, Fate, Launch, RawShape, Registers, Screen, Shape, Triangle, Triangles,
     Values, prepare, prepare_extra, prepare_palette, prepare_raw, set_up,
@@ -29,7 +30,7 @@ pub(crate) enum Entry {
 }
 
 /// The tiles of a target.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Grid {
     /// log2 of a tile's side.
     pub bits: u32,
@@ -75,7 +76,13 @@ pub(crate) struct Chunk {
 impl Chunk {
     /// Sets up and bins `commands`.
     #[inline(always)]
-    pub fn build(&mut self, arena: &Arena, commands: Range<usize>, grid: &Grid) {
+    pub fn build(
+        &mut self,
+        arena: &Arena,
+        states: &[Arc<BatchState>],
+        commands: Range<usize>,
+        grid: &Grid,
+    ) {
         self.triangles.clear();
         self.shapes.clear();
         self.raws.clear();
@@ -88,17 +95,19 @@ impl Chunk {
                 Command::Triangle { vertices, cull, state } => {
                     let [a, b, c] = &arena.vertices[vertices as usize];
                     self.counters.triangles_in += 1;
-                    let units = arena.states[state].pipeline.unit_count;
+                    let batch = &states[state as usize];
+                    let units = batch.pipeline.unit_count;
                     if set_up([a, b, c], cull, units, &mut launch) == Fate::Drawn {
                         self.counters.triangles_drawn += 1;
-                        self.launch(arena, &launch, None, state, grid);
+                        self.launch(batch, &launch, None, state, grid);
                     }
                 }
                 Command::Launch { registers, state } => {
                     self.counters.triangles_in += 1;
                     self.counters.triangles_drawn += 1;
                     let registers = &arena.registers[registers as usize];
-                    self.launch(arena, &Launch::from(registers), Some(registers), state, grid);
+                    let batch = &states[state as usize];
+                    self.launch(batch, &Launch::from(registers), Some(registers), state, grid);
                 }
                 Command::Palette { primitive, state } => {
                     self.counters.triangles_in += 1;
@@ -125,13 +134,12 @@ impl Chunk {
     #[inline(always)]
     fn launch(
         &mut self,
-        arena: &Arena,
+        batch: &BatchState,
         launch: &Launch,
         registers: Option<&Registers>,
         state: u32,
         grid: &Grid,
     ) {
-        let batch = &arena.states[state];
         let units = batch.pipeline.unit_count;
         let index = self.triangles.list.len() as u32;
         let screen = &batch.screen;
@@ -286,7 +294,7 @@ mod tests {
         }
         let mut chunk = Chunk::default();
         for _ in 0..2 {
-            chunk.build(&arena, 0..3, &grid);
+            chunk.build(&arena, &[], 0..3, &grid);
             assert_eq!(chunk.tile(0), [Entry::Clear(0), Entry::Clear(2)]);
             assert_eq!(chunk.tile(5), [Entry::Clear(0), Entry::Clear(1), Entry::Clear(2)]);
             assert_eq!(chunk.tile(11), [Entry::Clear(0)]);

@@ -1,5 +1,7 @@
 //! Drawing a tile: its entries in order, gathered into blocks.
 
+use std::sync::Arc;
+
 use fillrate_simd::Simd;
 
 use super::coverage::{FULL, TileCoverage, clip_strip, rect_mask};
@@ -28,6 +30,7 @@ const AHEAD: usize = 4;
 pub(crate) struct TilePainter<'a, S: Simd> {
     s: S,
     arena: &'a Arena,
+    states: &'a [Arc<BatchState>],
     grid: Grid,
     format: PixelFormat,
     pub counters: Counters,
@@ -106,10 +109,17 @@ impl Target<'_> {
 }
 
 impl<'a, S: Simd> TilePainter<'a, S> {
-    pub fn new(s: S, arena: &'a Arena, grid: Grid, format: PixelFormat) -> Self {
+    pub fn new(
+        s: S,
+        arena: &'a Arena,
+        states: &'a [Arc<BatchState>],
+        grid: Grid,
+        format: PixelFormat,
+    ) -> Self {
         TilePainter {
             s,
             arena,
+            states,
             grid,
             format,
             counters: Counters::default(),
@@ -127,7 +137,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
     #[inline(always)]
     pub fn draw(
         &mut self,
-        chunks: &'a [Chunk],
+        chunks: impl Iterator<Item = &'a Chunk>,
         index: usize,
         color: &mut TileCell,
         aux: Option<&mut TileCell>,
@@ -166,14 +176,14 @@ impl<'a, S: Simd> TilePainter<'a, S> {
     }
 
     fn batch(&self, state: u32) -> &'a BatchState {
-        &self.arena.states[state]
+        &self.states[state as usize]
     }
 
     /// Makes `pipeline` and `list` those of a state; what is pending must be
     /// finished.
     fn select(&mut self, state: u32, pixels: bool) {
         let batch = self.batch(state);
-        let pipeline = match (&batch.pixel_pipeline, pixels) {
+        let pipeline = match (batch.pixel_pipeline.get(), pixels) {
             (Some(pipeline), true) => pipeline,
             _ => &batch.pipeline,
         };
