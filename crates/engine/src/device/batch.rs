@@ -22,8 +22,9 @@ const CHUNKS: usize = MAX_COMMANDS.div_ceil(CHUNK);
 /// The most shares of a target; more workers than that start at the same.
 const SHARES: usize = 16;
 
-/// A tile of each surface.
+/// A tile of each surface, in cache lines of its own.
 #[derive(Debug, Default)]
+#[repr(align(64))]
 struct Cells {
     color: TileCell,
     aux: Option<TileCell>,
