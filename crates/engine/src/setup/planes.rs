@@ -265,6 +265,15 @@ impl Triangles {
             fillrate_simd::prefetch(triangle);
         }
     }
+
+    /// The same of its planes, once the triangle itself is there.
+    #[inline(always)]
+    pub fn prefetch_planes(&self, index: u32) {
+        let Some(triangle) = self.list.get(index as usize) else { return };
+        if let Some(group) = self.exact.get(triangle.wide as usize) {
+            fillrate_simd::prefetch(group);
+        }
+    }
 }
 
 /// Where a triangle is drawn.
