@@ -9,8 +9,8 @@ use std::sync::Arc;
 
 use crate::device::arena::{Arena, BatchState, Command, Run};
 use crate::setup::{
-    Edge, Extra, ExtraNeeds, Fate, Launch, RawShape, Registers, Screen, Shape, Triangle, Triangles,
-    Values, prepare, prepare_extra, prepare_palette, prepare_raw, set_up,
+    Edge, Extra, ExtraNeeds, Fate, Launch, RawShape, Registers, Screen, Shape, Sorted, Triangle,
+    Triangles, Values, prepare, prepare_extra, prepare_palette, prepare_raw, set_up,
 };
 use crate::state::Rect;
 use crate::stats::Counters;
@@ -70,6 +70,8 @@ pub(crate) struct Chunk {
     /// What walks of the Raw profile begin rows of tiles with.
     pub raw_rows: Vec<f32>,
     pub counters: Counters,
+    /// What is known of each command's triangle before its set-up.
+    sorted: Vec<Sorted>,
     pairs: Vec<(u32, Entry)>,
     starts: Vec<u32>,
     entries: Vec<Entry>,
@@ -92,15 +94,18 @@ impl Chunk {
         self.pairs.clear();
         self.counters = Counters::default();
         let mut launch = Launch::default();
-        for command in &arena.commands[commands] {
+        let commands = &arena.commands[commands];
+        self.sort_corners(arena, commands);
+        for (i, command) in commands.iter().enumerate() {
             match *command {
-                Command::Triangle { vertices, cull, state } => {
-                    let [a, b, c] = &arena.vertices[vertices as usize];
+                Command::Triangle { vertices, state, .. } => {
+                    let sorted = self.sorted[i];
                     self.counters.triangles_in += 1;
                     let batch = &states[state as usize];
                     let units = batch.pipeline.unit_count;
-                    if set_up([a, b, c], cull, units, &mut launch) == Fate::Drawn {
+                    if sorted.fate == Fate::Drawn {
                         self.counters.triangles_drawn += 1;
+                        set_up(arena.vertices.get(vertices), &sorted, units, &mut launch);
                         self.launch(batch, &launch, None, state, grid);
                     }
                 }
@@ -131,6 +136,20 @@ impl Chunk {
             }
         }
         self.sort(grid.len());
+    }
+
+    /// Sorts the corners of all triangles and divides by their areas: many at a
+    /// time, since none waits for another one's result.
+    #[inline(always)]
+    fn sort_corners(&mut self, arena: &Arena, commands: &[Command]) {
+        self.sorted.clear();
+        self.sorted.extend(commands.iter().map(|command| match *command {
+            Command::Triangle { vertices, cull, .. } => {
+                let [a, b, c] = arena.vertices.get(vertices);
+                Sorted::new([a, b, c], cull)
+            }
+            _ => Sorted::default(),
+        }));
     }
 
     #[inline(always)]
@@ -257,11 +276,13 @@ fn add_edges(
     grid: &Grid,
 ) {
     let (columns, rows) = grid.touched(bounds);
-    let single = columns.len() == 1 && rows.len() == 1;
+    if columns.len() == 1 && rows.len() == 1 {
+        return pairs.push((rows.start * grid.across + columns.start, entry));
+    }
     for row in rows {
         for column in columns.clone() {
             let tile = row * grid.across + column;
-            if single || touches(edges, &grid.tile(tile as usize)) {
+            if touches(edges, &grid.tile(tile as usize)) {
                 pairs.push((tile, entry));
             }
         }

@@ -179,11 +179,43 @@ impl core::ops::Index<u32> for States {
     }
 }
 
+/// Corners of triangles. The list keeps its length when it is emptied, so that a
+/// triangle is written where it stays.
+#[derive(Debug, Default)]
+pub(crate) struct Corners {
+    list: Vec<[Vertex; 3]>,
+    used: usize,
+}
+
+impl Corners {
+    /// A place for three corners, and its index.
+    #[inline(always)]
+    pub fn next(&mut self) -> (u32, &mut [Vertex; 3]) {
+        if self.used == self.list.len() {
+            self.grow();
+        }
+        let index = self.used;
+        self.used += 1;
+        (index as u32, &mut self.list[index])
+    }
+
+    #[cold]
+    fn grow(&mut self) {
+        let more = self.list.len().max(64);
+        self.list.resize(self.list.len() + more, Default::default());
+    }
+
+    #[inline(always)]
+    pub fn get(&self, index: u32) -> &[Vertex; 3] {
+        &self.list[index as usize]
+    }
+}
+
 /// Commands and their payloads, in submission order.
 #[derive(Debug, Default)]
 pub(crate) struct Arena {
     pub commands: Vec<Command>,
-    pub vertices: Vec<[Vertex; 3]>,
+    pub vertices: Corners,
     pub registers: Vec<Registers>,
     pub clears: Vec<Clear>,
     pub runs: Vec<Run>,
@@ -214,7 +246,7 @@ impl Arena {
     /// Forgets everything, and keeps the memory.
     pub fn clear(&mut self) {
         self.commands.clear();
-        self.vertices.clear();
+        self.vertices.used = 0;
         self.registers.clear();
         self.primitives.clear();
         self.raw_primitives.clear();

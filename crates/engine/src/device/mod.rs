@@ -243,10 +243,16 @@ impl Device {
     /// Draws a triangle by the current state, later.
     #[inline]
     pub fn draw_triangle(&mut self, [a, b, c]: [&Vertex; 3], cull: Cull) {
+        self.draw_triangle_made(cull, || [*a, *b, *c]);
+    }
+
+    /// The same with corners that are made where they are kept.
+    #[inline(always)]
+    pub fn draw_triangle_made(&mut self, cull: Cull, corners: impl FnOnce() -> [Vertex; 3]) {
         let Some(state) = self.use_state() else { return };
-        let index = self.arena.vertices.len() as u32;
-        self.arena.vertices.push([*a, *b, *c]);
-        self.arena.commands.push(Command::Triangle { vertices: index, cull, state });
+        let (vertices, place) = self.arena.vertices.next();
+        *place = corners();
+        self.arena.commands.push(Command::Triangle { vertices, cull, state });
     }
 
     /// Draws a triangle by the current state, later, with the second and third
@@ -289,9 +295,9 @@ impl Device {
         if count == 0 {
             return;
         }
-        batch.pixel_pipeline.get_or_init(|| {
-            Box::new(Pipeline::for_pixels(&self.current.0, batch.format, aux))
-        });
+        batch
+            .pixel_pipeline
+            .get_or_init(|| Box::new(Pipeline::for_pixels(&self.current.0, batch.format, aux)));
         let y = match self.current.0.origin {
             Origin::UpperLeft => run.y,
             Origin::LowerLeft => height - 1 - run.y,

@@ -50,7 +50,8 @@ fn mix<S: Simd>(s: S, color: S::I, fog_color: S::I, amount: S::I) -> S::I {
     clamp(s, color.add16(scale(s, fog_color.sub16(color), amount)))
 }
 
-/// Fogs `block.color`; alpha stays. The colour before goes to `block.prefog`.
+/// Fogs `block.color`; alpha stays. The colour before goes to `block.prefog` where
+/// blending may read it.
 #[inline(always)]
 pub(crate) fn fog<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
     let Some(fog) = pass.pipeline.state.fog else { return };
@@ -59,12 +60,15 @@ pub(crate) fn fog<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
     let fog_color = Colors::splat(if dropped { 0 } else { fog.color & 0xff_ffff });
     let (fog_rb, fog_ga) = (s.splat(fog_color.rb.0[0]), s.splat(fog_color.ga.0[0]));
     let keep = s.splat(if fog.drop_fragment_color { 0 } else { -1 });
+    let blends = pass.pipeline.state.blend.is_some();
     for k in (0..block.len()).step_by(S::LANES) {
         let amount = amount(s, block, pass, &fog, k);
         let rb = s.load(&block.color.rb.0[k..]);
         let ga = s.load(&block.color.ga.0[k..]);
-        s.store(rb, &mut block.prefog.rb.0[k..]);
-        s.store(ga, &mut block.prefog.ga.0[k..]);
+        if blends {
+            s.store(rb, &mut block.prefog.rb.0[k..]);
+            s.store(ga, &mut block.prefog.ga.0[k..]);
+        }
         let (new_rb, new_ga) = if fog.amount == FogAmount::Constant {
             (clamp(s, rb.add16(fog_rb)), clamp(s, ga.add16(fog_ga)))
         } else {

@@ -324,7 +324,7 @@ pub(crate) fn prepare<'a>(
             (0, _) => &FIRST_LIMITS,
             _ => &OTHER_LIMITS,
         };
-        let (group, fits) = planes.exact(params, limits);
+        let (group, fits) = planes.exact(&params.floats, limits);
         exact &= fits;
         if unit < units {
             let first = wide_lane(unit, 0).1;
@@ -364,7 +364,7 @@ fn large_planes(
     out: &mut Vec<WideGroup>,
 ) {
     for (unit, params) in launch.wide.iter().enumerate().take(units.max(1)) {
-        let group = planes.wide(params);
+        let group = planes.wide(&params.integers());
         if unit < units {
             let first = wide_lane(unit, 0).1;
             let steps = [first, first + 1].map(|lane| {
@@ -547,7 +547,7 @@ impl Corrected {
     /// The planes as floats, and whether these are exact and stay below their
     /// limits over the area; where a lane has no limit it does not count.
     #[inline(always)]
-    fn exact(&self, params: &Params<[i64; GROUP]>, limits: &[f64; GROUP]) -> (ExactGroup, bool) {
+    fn exact(&self, params: &Params<[f64; GROUP]>, limits: &[f64; GROUP]) -> (ExactGroup, bool) {
         let (from_x, from_y) = (f64::from(self.dx), f64::from(self.dy));
         let ([ox, oy], [rx, ry]) = (self.origin, self.reach);
         let row_sign = f64::from(self.row_sign);
@@ -555,8 +555,7 @@ impl Corrected {
         let mut fits = [false; GROUP];
         #[allow(clippy::needless_range_loop, reason = "one lane of eight arrays")]
         for lane in 0..GROUP {
-            let start = to_float(params.start[lane]);
-            let (dx, dy) = (to_float(params.dx[lane]), to_float(params.dy[lane]));
+            let (start, dx, dy) = (params.start[lane], params.dx[lane], params.dy[lane]);
             let sixteenths = dx * from_x + dy * from_y;
             let dy = dy * row_sign;
             let (across, down) = (dx * ox, dy * oy);
@@ -589,14 +588,6 @@ impl Corrected {
         }
         out
     }
-}
-
-/// An integer as a float; not-a-number where it is 2^51 or more in magnitude.
-#[inline(always)]
-fn to_float(value: i64) -> f64 {
-    let bits = (value as u64).wrapping_add(TO_INTEGER.to_bits());
-    let float = f64::from_bits(bits) - TO_INTEGER;
-    if bits >> 52 == TO_INTEGER.to_bits() >> 52 { float } else { f64::NAN }
 }
 
 /// The greatest integer that is not above `value`, for values below 2^51 in

@@ -93,7 +93,15 @@ impl TileCell {
     }
 
     /// Carries out a pending clear.
+    #[inline(always)]
     pub fn materialize(&mut self) {
+        if self.pending.is_some() {
+            self.fill_pending();
+        }
+    }
+
+    #[cold]
+    fn fill_pending(&mut self) {
         let Some(stamp) = self.pending.take() else { return };
         match &mut self.plane {
             Plane::Bits16(pixels) => {
