@@ -61,6 +61,16 @@ pub trait Simd: Copy + Send + Sync + 'static {
     fn mask(self, bits: u32) -> Self::M;
     /// Entry `index & 15` of `table`, lane by lane.
     fn lookup16(self, table: &[i32; 16], index: Self::I) -> Self::I;
+    /// Entry `index & 63` of `table`, lane by lane.
+    #[inline(always)]
+    fn lookup64(self, table: &[i32; 64], index: Self::I) -> Self::I {
+        let mut at = [0; crate::MAX_LANES];
+        self.store(index, &mut at);
+        for at in &mut at[..Self::LANES] {
+            *at = table[(*at & 63) as usize];
+        }
+        self.load(&at)
+    }
     /// The low and the high halves of `table[min(index, last)]`, lane by lane,
     /// the index taken as unsigned.
     ///

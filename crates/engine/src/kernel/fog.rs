@@ -8,10 +8,9 @@ use super::lanes::{clamp, join, lerp_255, scale, spread_alpha};
 use super::shade::fog_factor;
 use crate::state::{FOG_SAMPLES, Fog, FogAmount, FogTable};
 
-/// A fog table as 64 entries that one indexed load reads: the amount low, the
-/// slope high.
-pub(crate) fn fog_entries(table: &FogTable) -> [u64; 64] {
-    core::array::from_fn(|i| u64::from(table.value[i]) | u64::from(table.delta[i]) << 32)
+/// A fog table as 64 entries: the amount in the low eight bits, then the slope.
+pub(crate) fn fog_entries(table: &FogTable) -> [i32; 64] {
+    core::array::from_fn(|i| i32::from(table.value[i]) | i32::from(table.delta[i]) << 8)
 }
 
 /// A table of [`FogTable::by_w`] as entries that one indexed load reads: the
@@ -30,9 +29,9 @@ fn amount<S: Simd>(s: S, block: &Block, pass: &Pass<'_>, fog: &Fog, k: usize) ->
         FogAmount::Table => {
             let bias = s.splat(i32::from(pass.pipeline.state.depth.bias.unwrap_or(0)));
             let w = (s.load(&block.w.0[k..]) + bias).max(s.splat(0)).min(s.splat(0xffff));
-            let (value, delta) = s.load_pairs(&pass.pipeline.fog_entries, w.shr(10));
-            let step = delta.mul(w.shr(2) & s.splat(0xff)).shr(10);
-            let amount = (value + step).min(s.splat(255));
+            let entry = s.lookup64(&pass.pipeline.fog_entries, w.shr(10));
+            let step = entry.shr(8).mul(w.shr(2) & s.splat(0xff)).shr(10);
+            let amount = ((entry & s.splat(0xff)) + step).min(s.splat(255));
             amount | amount.shl(16)
         }
         FogAmount::IteratedAlpha => spread_alpha(s, s.load(&block.iterated.ga.0[k..])),

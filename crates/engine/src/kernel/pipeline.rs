@@ -114,7 +114,7 @@ pub(crate) struct Pipeline {
     pub color0: Colors,
     pub color1: Colors,
     pub zero: Colors,
-    pub fog_entries: [u64; 64],
+    pub fog_entries: [i32; 64],
     /// The table by w; empty where there is none.
     pub fog_samples: Vec<u64>,
     /// The colour of a pattern's gaps.

@@ -562,11 +562,9 @@ impl Corrected {
             let corner = start + floor(sixteenths * (1.0 / 16.0)) + across + down;
             // Nothing on the way may have been rounded. Not-a-number does not pass.
             let largest = start.abs() + 16.0 * (dx.abs() + dy.abs()) + across.abs() + down.abs();
-            let (wide, high) = (dx * rx, dy * ry);
-            let (left, right) = (corner.abs().max((corner + high).abs()), (corner + wide).abs());
-            let value = left.max(right).max((corner + wide + high).abs());
-            fits[lane] =
-                (largest < EXACT_LIMIT && value < limits[lane]) | (limits[lane] == f64::INFINITY);
+            let value = corner.abs() + (dx * rx).abs() + (dy * ry).abs();
+            let within = (largest < EXACT_LIMIT) & (value < limits[lane]);
+            fits[lane] = within | (limits[lane] == f64::INFINITY);
             (out.start[lane], out.dx[lane], out.dy[lane]) = (corner, dx, dy);
         }
         (out, fits == [true; GROUP])
