@@ -96,7 +96,11 @@ impl Follower {
             Place::Scene { block, open: None, ended } => {
                 let op = Opcode::in_scene_mode(word).filter(known);
                 let open = op.and_then(|op| rest(op, op.inputs() as u32));
-                Place::Scene { block: block - 1, open, ended: ended || op == Some(Opcode::EndScene) }
+                Place::Scene {
+                    block: block - 1,
+                    open,
+                    ended: ended || op == Some(Opcode::EndScene),
+                }
             }
             Place::Halted => Place::Halted,
         }
@@ -152,9 +156,8 @@ mod tests {
 
     #[test]
     fn what_is_missing_is_counted() {
-        let inside = |command, missing, offset| {
-            Some(StreamError::Unfinished { command, missing, offset })
-        };
+        let inside =
+            |command, missing, offset| Some(StreamError::Unfinished { command, missing, offset });
         assert_eq!(words(&[29, 3]), inside("RENDER_CLEARFB", 1, 2));
         assert_eq!(words(&[35, 0, 5, 1, 1]), inside("RENDER_UPLOAD_TEXTURE", 3, 5));
         assert_eq!(words(&[1, 6, 3, 0]), inside("RENDER_VERTEX", 4, 4));

@@ -24,9 +24,8 @@ fn must_be_ordered(mode: ModeBits, vertices: &[InputVertex], errata: &Errata) ->
     let (texture, color) = (soft(mode.tex_alpha()), soft(mode.col_alpha()));
     let tm = mode.texmode();
     let soft_texture = texture && (tm & 2 != 0 || (tm & 4 != 0 && translucent));
-    let soft_color = color
-        && translucent
-        && matches!(tm, texmode::COLOR | texmode::BLEND | texmode::MODULATE);
+    let soft_color =
+        color && translucent && matches!(tm, texmode::COLOR | texmode::BLEND | texmode::MODULATE);
     // Where two layers are mixed, a transparent one lets the other through in part.
     let mixed = matches!(tm, texmode::BLEND | texmode::TEXDECAL | texmode::COLDECAL)
         && (texture || (color && !all(255)));

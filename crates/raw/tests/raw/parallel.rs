@@ -25,6 +25,37 @@ fn pattern_is_identical_on_one_to_eight_columns() {
     }
 }
 
+/// A large triangle, and many tiny ones behind it.
+fn large_then_small(client: &mut Client) {
+    for index in 0..40u8 {
+        let size = if index == 0 { 0.9 } else { 0.02 };
+        let (left, z) = (f32::from(index) / 45.0, f32::from(index) / 100.0);
+        client.call(&Call::BeginPrim {});
+        for [x, y] in [[0.0, 0.0], [size, 0.0], [0.0, size]] {
+            client.vertex([left + x - 0.9, y, z], [0.0; 2]);
+        }
+        client.call(&Call::EndPrim {});
+    }
+}
+
+#[test]
+fn busy_tiles_are_skipped() {
+    let records = scene(|_| {}, large_then_small);
+    let run = |skip_busy| {
+        let options = Options { skip_busy, ..Options::default() };
+        sim::play(Config::default(), COSTS, options, &records, |_| {}).expect("no deadlock")
+    };
+    let (skips, waits) = (run(true), run(false));
+    assert!(skips.core.target == on_single(&records).core().target);
+    assert!(waits.core.target == skips.core.target);
+    // In the row, tile after tile.
+    let columns = |run: &sim::Run| run.accepted.iter().map(|a| a.0).collect::<Vec<_>>();
+    assert!(columns(&waits).iter().enumerate().all(|(i, column)| *column == i % 4));
+    let of_the_first = columns(&skips).iter().filter(|column| **column == 0).count();
+    assert!(of_the_first < 5, "{of_the_first}");
+    assert!(skips.cycles < waits.cycles);
+}
+
 #[test]
 fn order_test_is_identical() {
     let records = scene(|_| {}, scenes::order_test);
