@@ -50,12 +50,27 @@ impl<S: Simd> Plane<S> {
         Plane { now, right, down }
     }
 
+    /// Goes on by a step, in the vectors of a mask.
     #[inline(always)]
-    fn add(&mut self, step: S::I) {
-        for now in &mut self.now[..STAMP / S::LANES] {
-            *now = *now + step;
+    fn add(&mut self, step: S::I, vectors: u32) {
+        for (v, now) in self.now[..STAMP / S::LANES].iter_mut().enumerate() {
+            if S::LANES == STAMP || vectors >> v & 1 != 0 {
+                *now = *now + step;
+            }
         }
     }
+}
+
+/// Bit per vector of a stamp in row `y`: those that hold rows of an area.
+#[inline(always)]
+fn vectors<S: Simd>(area: &Rect, y: u32) -> u32 {
+    if S::LANES == STAMP {
+        return 1;
+    }
+    let rows = (S::LANES / 4) as u32;
+    let first = area.y0.saturating_sub(y) / rows;
+    let end = (area.y1 - y).min(4).div_ceil(rows);
+    (1 << end) - (1 << first)
 }
 
 /// What is drawn where.
@@ -93,6 +108,7 @@ impl Small<'_> {
         let mut slot = Slot { triangle: self.index, at: self.at, x, y };
         for _ in 0..down {
             let (row, mut planes) = (slot, [e0, e1, e2, z]);
+            let vectors = vectors::<S>(self.area, slot.y as u32);
             for _ in 0..across {
                 let (mut covered, mut left) = (0, 0);
                 let aux = match EARLY {
@@ -100,6 +116,9 @@ impl Small<'_> {
                     _ => &mut aux[slot.at as usize..][..STAMP],
                 };
                 for (v, j) in (0..STAMP).step_by(S::LANES).enumerate() {
+                    if S::LANES < STAMP && vectors >> v & 1 == 0 {
+                        continue;
+                    }
                     let [e0, e1, e2, z] =
                         [planes[0].now[v], planes[1].now[v], planes[2].now[v], planes[3].now[v]];
                     let inside = (e0 | e1 | e2).gt(s.splat(-1));
@@ -117,14 +136,14 @@ impl Small<'_> {
                 slot.at += STAMP as u32;
                 slot.x += 4;
                 for plane in &mut planes {
-                    plane.add(plane.right);
+                    plane.add(plane.right, vectors);
                 }
             }
             slot = Slot { at: row.at + self.pitch, y: row.y + 4, ..row };
-            e0.add(e0.down);
-            e1.add(e1.down);
-            e2.add(e2.down);
-            z.add(z.down);
+            e0.add(e0.down, u32::MAX);
+            e1.add(e1.down, u32::MAX);
+            e2.add(e2.down, u32::MAX);
+            z.add(z.down, u32::MAX);
         }
     }
 }

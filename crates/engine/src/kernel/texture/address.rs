@@ -5,7 +5,7 @@ use fillrate_simd::{FloatLanes, IntLanes, Simd};
 use super::UnitPlan;
 use super::lod::{level_at, linear_lods, lod_at, smallest_w, smallest_w_below};
 use crate::kernel::Pass;
-use crate::kernel::block::{Block, Lanes, STAMP, Slot};
+use crate::kernel::block::{Block, Lanes, STAMP, Slot, any_live};
 use crate::kernel::lanes::ramp_wide;
 use crate::setup::{Plane64, PlaneF, Triangle};
 use crate::state::Filter;
@@ -105,7 +105,7 @@ const NO_PERSPECTIVE_F: PlaneF = PlaneF { start: (1u64 << 32) as f64, dx: 0.0, d
 /// addresses of both rows, and the weights.
 #[inline(always)]
 pub(crate) fn address<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, plan: &UnitPlan) {
-    let Block { count, slots, lod, row0, row1, weight_s, weight_t, steps, .. } = block;
+    let Block { live, count, slots, lod, row0, row1, weight_s, weight_t, steps, .. } = block;
     let steps = &mut steps.units[plan.index];
     let mut out = Samples { row0, row1, weight_s, weight_t };
     for (slot, &at) in slots[..*count].iter().enumerate() {
@@ -131,12 +131,13 @@ pub(crate) fn address<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, plan: &
             steps.triangle = at.triangle;
             steps.set(s, planes, base);
         }
+        let live = (*live >> (slot * STAMP)) as u32;
         let offset = triangle.offset(at.x, at.y);
         let values = [planes[0].at(offset), planes[1].at(offset), planes[2].at(offset)];
         if plan.needs_lod {
-            stamp::<S, true>(s, &mut out, plan, values, slot, lod, steps);
+            stamp::<S, true>(s, &mut out, plan, values, (slot, live), lod, steps);
         } else {
-            stamp::<S, false>(s, &mut out, plan, values, slot, lod, steps);
+            stamp::<S, false>(s, &mut out, plan, values, (slot, live), lod, steps);
         }
     }
 }
@@ -213,14 +214,14 @@ fn inexact_stamp<S: Simd>(
 }
 
 /// A stamp in float lanes, from s, t and w at its first fragment; `LODS` where
-/// levels come from `lods`.
+/// levels come from `lods`. What is not live keeps what was there.
 #[inline(always)]
 fn stamp<S: Simd, const LODS: bool>(
     s: S,
     out: &mut Samples<'_>,
     plan: &UnitPlan,
     [corner_s, corner_t, corner_w]: [f64; 3],
-    slot: usize,
+    (slot, live): (usize, u32),
     lods: &[i32],
     steps: &mut TextureSteps,
 ) {
@@ -231,6 +232,9 @@ fn stamp<S: Simd, const LODS: bool>(
     let base_w = s.splat_f(corner_w);
     let (zero, scale) = (s.splat_f(0.0), s.splat_f(256.0));
     for j in (0..STAMP).step_by(S::LANES) {
+        if S::LANES < STAMP && !any_live::<S>(live, j) {
+            continue;
+        }
         let k = slot * STAMP + j;
         let w = base_w + s.load_f(&steps.w[j..]);
         let mut qs = ((base_s + s.load_f(&steps.s[j..])) * scale / w).floor_i32();
