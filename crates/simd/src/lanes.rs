@@ -19,6 +19,8 @@ pub trait Kernel {
 pub trait Simd: Copy + Send + Sync + 'static {
     /// 32-bit lanes in a vector: 4, 8 or 16.
     const LANES: usize;
+    /// Lanes are computed one by one, so that leaving a vector out pays.
+    const ONE_BY_ONE: bool = false;
     /// Which level this is.
     const LEVEL: Level;
     /// 32-bit integers, also seen as pairs of 16-bit integers.

@@ -162,7 +162,7 @@ fn fragments<
         let pixels = &mut pixels[at..][..STAMP];
         let aux = tile.aux.get(at..).unwrap_or(&[]);
         for j in (0..STAMP).step_by(S::LANES) {
-            if S::LANES < STAMP && !any_live::<S>(live, j) {
+            if S::ONE_BY_ONE && !any_live::<S>(live, j) {
                 continue;
             }
             let alpha = joined.alpha;

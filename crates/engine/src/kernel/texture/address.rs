@@ -232,7 +232,7 @@ fn stamp<S: Simd, const LODS: bool>(
     let base_w = s.splat_f(corner_w);
     let (zero, scale) = (s.splat_f(0.0), s.splat_f(256.0));
     for j in (0..STAMP).step_by(S::LANES) {
-        if S::LANES < STAMP && !any_live::<S>(live, j) {
+        if S::ONE_BY_ONE && !any_live::<S>(live, j) {
             continue;
         }
         let k = slot * STAMP + j;
