@@ -28,6 +28,9 @@ pub const FULL_SCREEN: u32 = 2;
 /// The most groups and command buffers of a device, each.
 const MAX_OBJECTS: usize = 1 << 16;
 
+/// The most rows of a buffer: the scissor has 16 bits.
+const MAX_HEIGHT: u32 = 0xffff;
+
 /// What a new group is to be.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct GroupRequest {
@@ -191,10 +194,8 @@ impl Device {
         if self.display_type != FULL_SCREEN {
             return Err(VError::FullScreenModeOnly);
         }
-        let sides = 1..=2048;
-        let fits = sides.contains(&width)
-            && sides.contains(&height)
-            && width * 2 <= self.config.chip.max_pitch();
+        let fits = (1..=self.config.chip.max_pitch() / 2).contains(&width)
+            && (1..=MAX_HEIGHT).contains(&height);
         if !fits || bits != 16 {
             return Err(VError::DdSetDisplayMode);
         }
@@ -275,7 +276,7 @@ impl Device {
     fn plan(&self, request: &GroupRequest) -> Result<BufferGroup, VError> {
         let GroupRequest { mask, buffers, width, height, .. } = *request;
         let chip = self.config.chip;
-        let sized = width > 0 && height > 0 && height <= 1 << 16 && width <= chip.max_pitch();
+        let sized = width > 0 && height > 0 && height <= MAX_HEIGHT && width <= chip.max_pitch();
         if !(1..=MAX_BUFFERS).contains(&buffers) || mask > 7 || !sized {
             return Err(VError::ParamError);
         }
@@ -311,7 +312,7 @@ impl Device {
             let one = self.primary.is_none();
             one && match (self.display_type, self.mode) {
                 (FULL_SCREEN, Some(mode)) => mode == (width, height),
-                (FULL_SCREEN, None) => width <= 2048 && height <= 2048,
+                (FULL_SCREEN, None) => true,
                 _ => width <= self.desktop.width && height <= self.desktop.height,
             }
         } else {

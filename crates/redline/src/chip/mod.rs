@@ -12,6 +12,7 @@ mod target;
 mod texture;
 mod transfer;
 mod translate;
+mod window;
 
 pub(crate) use state::State;
 
@@ -91,7 +92,7 @@ impl VeriteChip {
                 self.invalidate();
             }
             Command::Draw { opcode, vertex, head, vertices } => {
-                self.draw(opcode, vertex, head, vertices);
+                self.in_windows(|chip| chip.draw(opcode, vertex, head, vertices));
             }
             Command::Other { opcode, flags, words } => self.other(opcode, flags, words),
         }
@@ -111,14 +112,21 @@ impl VeriteChip {
             Opcode::MemWriteRect => self.mem_write_rect(words),
             Opcode::MemClearRect => self.mem_clear_rect(words),
             Opcode::MemWriteSprite => self.mem_write_sprite(words),
+            Opcode::Bitblt => self.bitblt(words),
+            Opcode::Bitfill => self.bitfill(words),
+            _ => self.in_windows(|chip| chip.draw_other(opcode, flags, words)),
+        }
+    }
+
+    /// Commands that draw without vertices, and those that do nothing here.
+    fn draw_other(&mut self, opcode: Opcode, flags: u32, words: &[u32]) {
+        match opcode {
             Opcode::IntLine => self.int_line(flags & 1 != 0, words[0], words[1]),
             Opcode::IntPolyline => self.int_polyline(flags & 1 != 0, &words[1..]),
             Opcode::TriFill => self.triangle_fill(words),
             Opcode::Affine => self.affine(words),
             Opcode::Warp => self.warp(words),
             Opcode::Particles => self.particles(words),
-            Opcode::Bitblt => self.bitblt(words),
-            Opcode::Bitfill => self.bitfill(words),
             Opcode::BitbltMem => self.bitblt_mem(words),
             Opcode::Lookup => self.lookup(words),
             Opcode::CompositeRect => self.composite_rect(words),
