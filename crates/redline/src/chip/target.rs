@@ -7,6 +7,8 @@
 //! residents, and whoever writes bytes brings residents up to date, so a
 //! resident is never older than memory.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 use fillrate_engine::state::{Dither, Rect};
 use fillrate_engine::target::unpack as unpack_element;
 use fillrate_engine::{
@@ -295,6 +297,26 @@ impl Targets {
             self.engine = engine;
             self.made = 0;
         }
+    }
+
+    /// Starts over after the engine broke off. Pixels that it still gives are
+    /// written back.
+    pub fn recover(&mut self, memory: &mut VideoMemory) {
+        for at in 0..self.residents.len() {
+            let save = AssertUnwindSafe(|| self.write_back(memory, at));
+            if catch_unwind(save).is_err() {
+                let Area { base, rows, .. } = self.residents[at].area;
+                eprintln!("fillrate: RRedline: pixels drawn at {base:#x}, {rows} rows, are lost");
+            }
+        }
+        let counters = catch_unwind(AssertUnwindSafe(|| self.counters()));
+        if let Ok(engine) = Device::new(self.config.clone()) {
+            self.counters = counters.unwrap_or(self.counters);
+            self.engine = engine;
+            self.made = 0;
+        }
+        self.residents.clear();
+        (self.color, self.depth) = (None, None);
     }
 
     /// Copies pixels from memory into a resident's surface.
