@@ -125,6 +125,13 @@ fn regress_redline_rows_of_all_bytes() {
     Fuzzer::new(Target::RedlineCalls).run(&input(407_846));
 }
 
+/// A copy of many rows of one pixel, each far from the start of its row, took a
+/// gibibyte.
+#[test]
+fn regress_redline_copies_of_narrow_rows() {
+    Fuzzer::new(Target::RedlineWords).run(&input(263_424));
+}
+
 /// Streams of RRedline hold every call, command and register, and draw the same
 /// on any number of threads.
 #[test]
