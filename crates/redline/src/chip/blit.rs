@@ -127,7 +127,7 @@ impl VeriteChip {
         let columns = (left + visible.width).next_multiple_of(2);
         let base = u64::from(self.state.get(Register::SrcBase))
             + u64::from(top) * u64::from(pitch)
-            + reading.format.row_bytes(skipped) as u64;
+            + reading.format.row_bytes(skipped);
         let base = u32::try_from(base).unwrap_or(u32::MAX);
         let row = reading.format.row_bytes(columns) as u32;
         self.targets.sync(&mut self.memory, &Area { base, pitch, row, rows: visible.height });
