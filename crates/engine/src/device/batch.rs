@@ -78,7 +78,7 @@ impl Batch {
         arena: &mut Arena,
         states: &[Arc<BatchState>],
         color: &mut Surface,
-        mut aux: Option<&mut Surface>,
+        aux: Option<&mut Surface>,
         shares: usize,
     ) {
         core::mem::swap(&mut self.arena, arena);
@@ -88,7 +88,7 @@ impl Batch {
         self.count = self.arena.commands.len().div_ceil(CHUNK);
         (*self.next.get_mut(), *unlocked(&mut self.built)) = (0, 0);
         self.cells.resize_with(color.cells.len(), Mutex::default);
-        self.exchange(color, aux.as_deref_mut());
+        self.exchange(color, aux);
         self.shares.cut(self.cells.len(), shares);
     }
 

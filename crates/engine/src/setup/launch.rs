@@ -54,7 +54,7 @@ impl WideParams {
         for lane in 0..GROUP {
             // A sum with something that is not a number is none either.
             let sum = start_f[lane] + dx_f[lane] + dy_f[lane];
-            fits &= sum == sum;
+            fits &= !sum.is_nan();
         }
         if !fits {
             self.convert_large([start, dx, dy]);
