@@ -168,23 +168,35 @@ impl Batch {
 
 impl Job for Batch {
     fn work(&self, worker: usize) {
-        self.level.dispatch(Share { batch: self, worker });
+        self.level.dispatch(Build(self));
+        self.wait();
+        self.level.dispatch(Draw { batch: self, worker });
     }
 }
 
-/// A worker's share of a batch; the level is entered once.
-struct Share<'a> {
+/// A worker's share of the chunks; the level is entered once.
+struct Build<'a>(&'a Batch);
+
+impl Kernel for Build<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) {
+        self.0.build();
+    }
+}
+
+/// A worker's share of the tiles; the level is entered once.
+struct Draw<'a> {
     batch: &'a Batch,
     worker: usize,
 }
 
-impl Kernel for Share<'_> {
+impl Kernel for Draw<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run<S: Simd>(self, s: S) {
-        self.batch.build();
-        self.batch.wait();
         self.batch.draw(s, self.worker);
     }
 }

@@ -100,7 +100,7 @@ impl TileCell {
         }
     }
 
-    #[cold]
+    #[inline(never)]
     fn fill_pending(&mut self) {
         let Some(stamp) = self.pending.take() else { return };
         match &mut self.plane {

@@ -209,7 +209,12 @@ fn inexact_stamp<S: Simd>(
     for j in (0..STAMP).step_by(S::LANES) {
         let k = slot * STAMP + j;
         let levels = levels_by_lod(s, plan, s.load(&lods[j..]));
-        store_address(s, out, plan, k, [s.load(&qs[j..]), s.load(&qt[j..])], &levels);
+        let at = [s.load(&qs[j..]), s.load(&qt[j..])];
+        if plan.has_border {
+            store_address::<S, true>(s, out, plan, k, at, &levels);
+        } else {
+            store_address::<S, false>(s, out, plan, k, at, &levels);
+        }
     }
 }
 
@@ -252,7 +257,11 @@ fn stamp<S: Simd, const LODS: bool>(
             None if LODS => levels_by_lod(s, plan, s.load(&lods[j..])),
             None => levels_by_w(s, plan, steps, w),
         };
-        store_address(s, out, plan, k, [qs, qt], &lanes);
+        if LODS && plan.has_border {
+            store_address::<S, true>(s, out, plan, k, [qs, qt], &lanes);
+        } else {
+            store_address::<S, false>(s, out, plan, k, [qs, qt], &lanes);
+        }
     }
 }
 
@@ -327,7 +336,7 @@ fn lookup<S: Simd>(s: S, plan: &UnitPlan, level: S::I, bilinear: S::I) -> LevelL
 /// Stores addresses and weights of lanes `k..` from their coordinates, which
 /// have 8 fraction bits at level 0.
 #[inline(always)]
-fn store_address<S: Simd>(
+fn store_address<S: Simd, const BORDER: bool>(
     s: S,
     out: &mut Samples<'_>,
     plan: &UnitPlan,
@@ -339,14 +348,16 @@ fn store_address<S: Simd>(
     let x = qs.sar_each(level.shift) - level.half;
     let y = qt.sar_each(level.shift) - level.half;
     // Half a texel outside, the border is half of the sample.
-    let edge = if plan.has_border { level.half } else { s.splat(0) };
-    let x = confine(s, x, level.s_mask, edge, plan.unit.clamp_s);
-    let y = confine(s, y, level.t_mask, edge, plan.unit.clamp_t);
+    let edge = if BORDER { level.half } else { s.splat(0) };
+    let x = confine::<S, BORDER>(s, x, level.s_mask, edge, plan.unit.clamp_s);
+    let y = confine::<S, BORDER>(s, y, level.t_mask, edge, plan.unit.clamp_t);
     let (column, row) = (x.sar(8), y.sar(8));
-    let next = match (plan.unit.clamp_t, plan.has_border) {
-        (true, true) => row + one,
-        (true, false) => (row + one).min(level.t_mask),
-        (false, _) => (row + one) & level.t_mask,
+    let next = if !plan.unit.clamp_t {
+        (row + one) & level.t_mask
+    } else if BORDER {
+        row + one
+    } else {
+        (row + one).min(level.t_mask)
     };
     let start = level.base + column;
     s.store(start + row.mul(level.pitch), &mut out.row0.0[k..]);
@@ -364,10 +375,16 @@ fn store_address<S: Simd>(
 /// fraction is 0 below the first and above the last texel, since both neighbours
 /// are the same texel there.
 #[inline(always)]
-fn confine<S: Simd>(s: S, x: S::I, mask: S::I, edge: S::I, clamp: bool) -> S::I {
-    if clamp {
-        x.max(s.splat(0) - edge).min(mask.shl(8) + edge)
-    } else {
-        x & (mask.shl(8) | s.splat(0xff))
+fn confine<S: Simd, const BORDER: bool>(
+    s: S,
+    x: S::I,
+    mask: S::I,
+    edge: S::I,
+    clamp: bool,
+) -> S::I {
+    match (clamp, BORDER) {
+        (false, _) => x & (mask.shl(8) | s.splat(0xff)),
+        (true, false) => x.max(s.splat(0)).min(mask.shl(8)),
+        (true, true) => x.max(s.splat(0) - edge).min(mask.shl(8) + edge),
     }
 }

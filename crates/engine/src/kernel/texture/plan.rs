@@ -28,7 +28,8 @@ pub(crate) struct UnitPlan {
     pub lod_min: i32,
     pub lod_max: i32,
     /// The level of detail itself is needed for every fragment, not only the
-    /// level it selects.
+    /// level it selects. Borders go the same way, so that other textures know
+    /// nothing of them.
     pub needs_lod: bool,
     /// Both filters sample one point.
     pub point: bool,
@@ -76,7 +77,10 @@ impl UnitPlan {
             tables: tables(&texture, unit.odd_levels, coarser),
             lod_min: i32::from(unit.lod.min).min(lod_max),
             lod_max,
-            needs_lod: unit.lod_dither || unit.mix_levels || uses_lod(&combine, unit.trilinear),
+            needs_lod: unit.lod_dither
+                || unit.mix_levels
+                || uses_lod(&combine, unit.trilinear)
+                || texture.border().is_some(),
             point: unit.minify == Filter::Point && unit.magnify == Filter::Point,
             texel_only: passes_texel(&combine),
             has_other,
