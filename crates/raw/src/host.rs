@@ -46,14 +46,14 @@ pub enum HostError {
         offset: u64,
     },
     /// Text where a record is expected.
-    #[error("record {record}, word {offset}: {source}")]
+    #[error("record {record}, word {offset}: {what}")]
     Malformed {
         /// The record, counted from 0.
         record: u64,
         /// Words sent to the device so far.
         offset: u64,
         /// What stands there.
-        source: MalformedRecord,
+        what: MalformedRecord,
     },
 }
 
@@ -156,8 +156,8 @@ impl<O: Observer> Host<O> {
             (Expect::Any, Record::Read) => self.expect = Expect::Count,
             (Expect::Any, Record::Debug) => self.expect = Expect::Text,
             (Expect::Any, Record::Text(bytes)) => {
-                let source = MalformedRecord { bytes };
-                return Err(HostError::Malformed { record: at.0, offset: at.1, source });
+                let what = MalformedRecord { bytes };
+                return Err(HostError::Malformed { record: at.0, offset: at.1, what });
             }
             (Expect::Any, meta) => self.meta(meta),
         }
@@ -169,7 +169,7 @@ impl<O: Observer> Host<O> {
         if record == Record::Report
             && let Some(report) = self.device.observer_mut().report()
         {
-            self.log(report);
+            self.log(report.trim_end().to_owned());
         }
     }
 

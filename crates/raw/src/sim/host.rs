@@ -79,15 +79,15 @@ impl Host {
             Record::Halt => return false,
             Record::Text(bytes) => {
                 let (record, offset) = (self.places.0 - 1, self.places.1);
-                let source = MalformedRecord { bytes };
-                self.fault(HostError::Malformed { record, offset, source });
+                let what = MalformedRecord { bytes };
+                self.fault(HostError::Malformed { record, offset, what });
             }
             meta => {
                 self.m.k.catch_up(self.me, &self.clock).await;
                 meters::meta(&self.m, meta);
                 if meta == Record::Report {
                     meters::settle(&self.m);
-                    (self.side.log)(&self.m.counters().report());
+                    (self.side.log)(self.m.counters().report().trim_end());
                 }
             }
         }
