@@ -271,7 +271,10 @@ fn serve_here<O: Observer, W: Write>(
             Ok(record) => host.push(record).map_err(ServeError::from),
             Err(error) => Err(error.into()),
         };
-        let fatal = matches!(result, Err(ServeError::Host(HostError::Starved { .. })));
+        let fatal = matches!(
+            result,
+            Err(ServeError::Host(HostError::Starved { .. } | HostError::TooMany { .. }))
+        );
         keep(&mut errors, result);
         host.take_log().iter().for_each(|line| log(line));
         let passed = pass_words(output, std::iter::from_fn(|| host.pop()));

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use super::kernel::TaskId;
 use super::machine::{HostWait, Machine, Word};
 use super::meters;
-use crate::host::{HostError, MAX_READ, text_of};
+use crate::host::{HostError, most_read, text_of};
 use crate::protocol::{MalformedRecord, Record};
 
 /// What the host interface is connected to: where records come from and where words and log lines
@@ -109,12 +109,13 @@ impl Host {
             self.fault(HostError::NoCount { record: record.saturating_sub(1), offset });
             return true;
         };
+        let most = most_read(self.m.core.borrow().screen());
         for sent in 0..count {
-            if sent == MAX_READ {
+            if sent == most {
                 let (record, offset) = self.places;
                 let record = record.saturating_sub(1);
-                self.fault(HostError::Starved { record, offset, wanted: count, sent });
-                break;
+                self.fault(HostError::TooMany { record, offset, wanted: count, most });
+                return false;
             }
             let word = self.word().await;
             if !(self.side.reply)(word) {
