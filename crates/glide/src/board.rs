@@ -7,7 +7,7 @@ use fillrate_engine::{Counters, Device, DrawState, PixelFormat, Registers, Surfa
 
 use crate::card::{Card, RESOLUTIONS};
 use crate::clock::Clock;
-use crate::enums::{MIPMAP_DISABLE, RESOLUTION_NONE};
+use crate::enums::{LEVELS_BOTH, MIPMAP_DISABLE, RESOLUTION_NONE};
 use crate::gu::MipMaps;
 use crate::improve::Improvements;
 use crate::lfb::Lfb;
@@ -19,11 +19,24 @@ use crate::variables::Variables;
 use crate::vertex::VertexRules;
 
 /// What a texture unit's registers do not say.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct UnitSettings {
     pub mip_map_mode: i32,
     pub small_lod: u32,
     pub large_lod: u32,
+    /// The even, odd or all levels, as the texture was sourced.
+    pub even_odd: u32,
+}
+
+impl Default for UnitSettings {
+    fn default() -> UnitSettings {
+        UnitSettings {
+            mip_map_mode: MIPMAP_DISABLE,
+            small_lod: 0,
+            large_lod: 0,
+            even_odd: LEVELS_BOTH,
+        }
+    }
 }
 
 /// State outside the registers. All of it is saved and restored with them.
@@ -306,6 +319,6 @@ pub(crate) fn default_settings(color_format: i32, (width, height): (u32, u32)) -
         lfb_depth: 0,
         color_format,
         clip: [0.0, 0.0, width as f32, height as f32],
-        units: [UnitSettings { mip_map_mode: MIPMAP_DISABLE, ..UnitSettings::default() }; MAX_TMUS],
+        units: [UnitSettings::default(); MAX_TMUS],
     }
 }

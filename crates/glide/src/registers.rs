@@ -115,6 +115,9 @@ pub mod texture_mode {
 
 /// Bits of lfbMode.
 pub mod lfb_mode {
+    /// Two bits, as the program's colour formats are numbered.
+    pub const LANES: u32 = 9;
+    pub const LANES_MASK: u32 = 3 << LANES;
     pub const SWAP_WORDS: u32 = 1 << 11;
     pub const SWIZZLE_BYTES: u32 = 1 << 12;
 }

@@ -231,11 +231,23 @@ fn chain(units: &[TmuRegisters]) -> [Option<TextureUnit>; MAX_TMUS] {
 /// Level of detail of the smallest map a board has, one texel, 8 fraction bits.
 const SMALLEST_LEVEL: u32 = 0x800;
 
+/// Whether a unit that has all levels samples the even or the odd ones, as
+/// filtering between levels in two passes needs it.
+///
+/// Source: G246, `grTexCombine`: for such a pass over a whole texture the library
+/// sets the odd bit alone, and later releases did for two units at once.
+pub(crate) fn has_parity(registers: &TmuRegisters) -> bool {
+    let limits = [registers.t_lod & 63, registers.t_lod >> 6 & 63];
+    registers.texture_mode & texture_mode::TRILINEAR != 0 && limits[0] != limits[1]
+}
+
 fn texture_unit(registers: &TmuRegisters) -> TextureUnit {
     let (mode, lod) = (registers.texture_mode, registers.t_lod);
     let on = |bit: u32| mode & bit != 0;
     let filter = |bit: u32| if on(bit) { Filter::Bilinear } else { Filter::Point };
     let signed6 = |bits: u32| ((bits << 2) as u8 as i8) >> 2;
+    // Blended levels take turns even where a unit has all of them.
+    let chooses = lod & t_lod::SPLIT != 0 || has_parity(registers);
     TextureUnit {
         perspective: on(texture_mode::PERSPECTIVE),
         clamp_negative_w: on(texture_mode::CLAMP_W),
@@ -249,7 +261,7 @@ fn texture_unit(registers: &TmuRegisters) -> TextureUnit {
             bias: i16::from(signed6(lod >> 12 & 63)) << 6,
         },
         lod_dither: on(texture_mode::LOD_DITHER),
-        odd_levels: (lod & t_lod::SPLIT != 0).then_some(lod & t_lod::ODD != 0),
+        odd_levels: chooses.then_some(lod & t_lod::ODD != 0),
         trilinear: on(texture_mode::TRILINEAR),
         detail_max: registers.t_detail as u8,
         detail_bias: signed6(registers.t_detail >> 8 & 63),
