@@ -1,5 +1,6 @@
 //! Linear frame buffer access.
 
+use std::borrow::Cow;
 use std::ffi::c_void;
 
 use fillrate_glide::{Call, ROW_PIXELS};
@@ -36,20 +37,32 @@ calls! {
     grLfbBypassMode(mode: i32) = Call::GrLfbBypassMode { mode };
 }
 
-/// A rectangle's rows, one after the other without gaps.
+/// A rectangle's rows from the first one down, and bytes from one to the next.
 ///
 /// # Safety
 /// `data` points to the first of `height` rows of `width` bytes, each `stride`
-/// bytes after the one before; upside-down pictures have negative strides.
-unsafe fn gather_rows(data: *const u8, stride: i32, (width, height): (usize, usize)) -> Vec<u8> {
+/// bytes after the one before: upside-down pictures have negative strides.
+unsafe fn rectangle<'a>(
+    data: *const u8,
+    stride: i32,
+    width: usize,
+    height: usize,
+) -> (Cow<'a, [u8]>, i32) {
+    if height == 0 {
+        return (Cow::default(), stride);
+    }
+    if let Ok(stride) = usize::try_from(stride) {
+        // SAFETY: the caller's promise.
+        let rows = unsafe { bytes(data, (height - 1) * stride + width) };
+        return (Cow::Borrowed(rows), stride as i32);
+    }
     let mut rows = Vec::with_capacity(width * height);
     for row in 0..height as isize {
+        let row = data.wrapping_offset(row * stride as isize);
         // SAFETY: the caller's promise.
-        rows.extend_from_slice(unsafe {
-            bytes(data.wrapping_offset(row * stride as isize), width)
-        });
+        rows.extend_from_slice(unsafe { bytes(row, width) });
     }
-    rows
+    (Cow::Owned(rows), width as i32)
 }
 
 /// The start of a lock's memory. It does not move until the unlock.
@@ -129,11 +142,11 @@ pub unsafe extern "C" fn grLfbWriteRegion(
             return 0;
         }
         let pixel = if matches!(format, 4 | 5 | 0xc..=0xe) { 4 } else { 2 };
-        let columns = width.min(ROW_PIXELS as u32) as usize;
-        let rows = height.min(ROW_PIXELS as u32) as usize;
+        let (width, height) = (width.min(ROW_PIXELS as u32), height.min(ROW_PIXELS as u32));
         // SAFETY: the caller's data holds the rectangle.
-        let data = unsafe { gather_rows(data, stride, (columns * pixel, rows)) }.into();
-        let (width, height, stride) = (columns as u32, rows as u32, (columns * pixel) as i32);
+        let (data, stride) =
+            unsafe { rectangle(data, stride, width as usize * pixel, height as usize) };
+        let data = data[..].into();
         call(Call::GrLfbWriteRegion { buffer, x, y, format, width, height, stride, data }) as i32
     })
 }
@@ -288,9 +301,9 @@ pub unsafe extern "C" fn guFbWriteRegion(
         }
         let (width, height) = (width.clamp(0, MAX_SIDE), height.clamp(0, MAX_SIDE));
         // SAFETY: the caller's data holds the rectangle.
-        let data = unsafe { gather_rows(data, stride, (width as usize * 2, height as usize)) };
-        let (data, stride) = (data.into(), width * 2);
-        let buffer = session().old_buffers[1];
+        let (data, stride) =
+            unsafe { rectangle(data, stride, width as usize * 2, height as usize) };
+        let (buffer, data) = (session().old_buffers[1], data[..].into());
         call(Call::GuFbWriteRegion { buffer, x, y, width, height, stride, data });
     })
 }

@@ -128,6 +128,7 @@ pub mod t_lod {
     pub const SPLIT: u32 = 1 << 19;
     pub const S_IS_WIDER: u32 = 1 << 20;
     pub const ASPECT: u32 = 21;
+    pub const ZERO_FRACTION: u32 = 1 << 23;
     pub const MULTIBASE: u32 = 1 << 24;
 }
 

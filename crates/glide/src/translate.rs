@@ -132,6 +132,14 @@ fn texture_factor(bits: u32) -> TextureFactor {
     }
 }
 
+/// The same where the fraction of the level counts as 0.
+fn factor_without_fraction(bits: u32) -> TextureFactor {
+    match texture_factor(bits) {
+        TextureFactor::LodFraction => TextureFactor::Zero,
+        other => other,
+    }
+}
+
 /// Decodes the nine bits of a combine unit.
 fn combine_unit<F>(bits: u32, factor: fn(u32) -> F) -> CombineUnit<F> {
     CombineUnit {
@@ -246,6 +254,10 @@ fn texture_unit(registers: &TmuRegisters) -> TextureUnit {
     let on = |bit: u32| mode & bit != 0;
     let filter = |bit: u32| if on(bit) { Filter::Bilinear } else { Filter::Point };
     let signed6 = |bits: u32| ((bits << 2) as u8 as i8) >> 2;
+    let factor = match lod & t_lod::ZERO_FRACTION {
+        0 => texture_factor,
+        _ => factor_without_fraction,
+    };
     // Blended levels take turns even where a unit has all of them.
     let chooses = lod & t_lod::SPLIT != 0 || has_parity(registers);
     TextureUnit {
@@ -267,8 +279,8 @@ fn texture_unit(registers: &TmuRegisters) -> TextureUnit {
         detail_bias: signed6(registers.t_detail >> 8 & 63),
         detail_scale: (registers.t_detail >> 14 & 7) as u8,
         combine: TextureCombine {
-            color: combine_unit(mode >> texture_mode::COLOR_UNIT, texture_factor),
-            alpha: combine_unit(mode >> texture_mode::ALPHA_UNIT, texture_factor),
+            color: combine_unit(mode >> texture_mode::COLOR_UNIT, factor),
+            alpha: combine_unit(mode >> texture_mode::ALPHA_UNIT, factor),
         },
         ..TextureUnit::default()
     }
@@ -298,6 +310,15 @@ mod tests {
         for preset in 3..=9 {
             assert_eq!(uses(preset), (true, true), "{preset}");
         }
+    }
+
+    #[test]
+    fn a_fraction_of_zero_is_the_factor_zero() {
+        let trilinear = unit(9);
+        let zero = TmuRegisters { t_lod: t_lod::ZERO_FRACTION, ..trilinear };
+        let factor = |registers| texture_unit(registers).combine.color.factor;
+        assert_eq!(factor(&trilinear), TextureFactor::LodFraction);
+        assert_eq!(factor(&zero), TextureFactor::Zero);
     }
 
     #[test]

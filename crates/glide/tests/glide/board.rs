@@ -2,7 +2,7 @@
 
 use fillrate_glide::{Call, ScanOut};
 
-use super::{SIZE, draw, opened, pixel, started};
+use super::{SIZE, draw, opened, pixel, started, vertex};
 
 fn old_open(resolution: i32, smoothing: i32, buffers: i32) -> Call {
     Call::GrSstOpen { resolution, refresh: 0, color_format: 0, origin: 0, smoothing, buffers }
@@ -115,4 +115,30 @@ fn bytes_that_are_no_state_are_told_of() {
     let state = glide.state().expect("the board is open").to_vec();
     glide.execute(&Call::GrGlideSetState { state: state.into() });
     assert!(!glide.has_reports());
+}
+
+/// Only triangles count as triangles; culled and empty ones count as given.
+#[test]
+fn points_lines_and_smooth_edges_are_no_triangles() {
+    let mut glide = opened("voodoo-4mb", 0);
+    let [a, b, c] = [(10.0, 10.0), (90.0, 20.0), (30.0, 80.0)].map(|(x, y)| vertex(x, y, 0.0, 0.0));
+    let mut counted = |calls: &[Call]| {
+        glide.execute(&Call::GrResetTriStats {});
+        for call in calls {
+            glide.execute(call);
+        }
+        let counters = glide.counters();
+        (counters.triangles_in, counters.triangles_drawn)
+    };
+    let smooth = [Call::GrAaDrawPoint { point: a }, Call::GrAaDrawLine { a, b }];
+    assert_eq!(counted(&smooth), (0, 0));
+    assert_eq!(counted(&[Call::GrDrawPoint { point: a }, Call::GrDrawLine { a, b }]), (0, 0));
+    let edges = Call::GrAaDrawTriangle { a, b, c, ab: 1, bc: 1, ca: 1 };
+    assert_eq!(counted(&[edges.clone(), Call::GrDrawTriangle { a, b, c }]), (2, 2));
+    let planar = Call::GrDrawPlanarPolygon { vertices: vec![a, a, b, c] };
+    assert_eq!(counted(core::slice::from_ref(&planar)), (2, 1));
+    let empty = Call::GrAaDrawTriangle { a, b: a, c, ab: 1, bc: 1, ca: 1 };
+    assert_eq!(counted(&[empty]), (1, 0));
+    let cull = Call::GrCullMode { mode: 2 };
+    assert_eq!(counted(&[cull, planar, edges]), (3, 0));
 }
