@@ -19,7 +19,6 @@ impl Board {
             color1: 0xffff_ffff,
             ..FbiRegisters::default()
         };
-        self.set_lfb_format(color_format);
         self.set_origin(origin);
         self.set_clip([0, 0, size.0, size.1]);
         self.set_color_combine(

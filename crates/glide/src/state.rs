@@ -13,8 +13,8 @@ pub const STATE_BYTES: usize = 312;
 /// The first word of a saved state, so that other bytes are told apart.
 const MAGIC: u32 = 0x3253_4c46;
 
-/// The same of releases that kept the colour format of frame buffer writes, and
-/// the levels of textures, elsewhere. Recordings hold such states.
+/// The same of releases that kept the levels of textures in tLOD alone.
+/// Recordings hold such states.
 const EARLIER: u32 = 0x3153_4c46;
 
 /// Words written and read in order.
@@ -124,9 +124,6 @@ impl Board {
             clip,
             units: self.settings.units,
         };
-        if magic == EARLIER {
-            self.set_lfb_format(color_format & 3);
-        }
         for (unit, tmu) in self.tmus.iter_mut().enumerate() {
             *tmu = TmuRegisters {
                 texture_mode: from.take(),

@@ -285,8 +285,9 @@ impl Board {
         FbiRegisters { za_color, fbz_mode, ..self.fbi }
     }
 
-    /// The colour format of stores: the board's own register, which opening it
-    /// sets to the format of everything else.
+    /// The colour format of stores: a register of its own, ARGB until it is set.
+    ///
+    /// Source: G246, `grSstWinOpen`, whatever format that is given.
     pub(super) fn lfb_format(&self) -> i32 {
         (self.fbi.lfb_mode >> lfb_mode::LANES & 3) as i32
     }

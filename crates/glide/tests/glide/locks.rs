@@ -38,41 +38,17 @@ fn the_format_of_writes_leaves_other_colors_alone() {
         pixel(glide, BACK, 3, 3)
     };
     assert_eq!(write(&mut glide), 0x001f, "the write has its own");
-    // It is part of a saved state, and a board that is opened has its format.
+    // It is part of a saved state.
     let state = glide.state().expect("the board is open").to_vec();
     glide.execute(&Call::GrLfbWriteColorFormat { format: 0 });
     assert_eq!(write(&mut glide), 0xf800);
     glide.execute(&Call::GrGlideSetState { state: state.into() });
     assert_eq!(write(&mut glide), 0x001f);
+    // The format that a board is opened with is that of colours in calls.
     let mut glide = opened("voodoo-4mb", 1);
-    assert_eq!(write(&mut glide), 0x001f);
+    assert_eq!(write(&mut glide), 0xf800);
     glide.execute(&Call::GrBufferClear { color: 0x00ff_0000, alpha: 0, depth: 0 });
     assert_eq!(pixel(&mut glide, BACK, 3, 3), 0x001f);
-}
-
-/// States of earlier releases have the colour format alone.
-#[test]
-fn states_of_earlier_releases_come_back() {
-    let mut glide = opened("voodoo-4mb", 1);
-    let mut state = glide.state().expect("the board is open").to_vec();
-    state[..4].copy_from_slice(b"FLS1");
-    // lfbMode is the fifth register after the mark.
-    state[20..24].fill(0);
-    glide.execute(&Call::GrLfbWriteColorFormat { format: 0 });
-    glide.execute(&Call::GrGlideSetState { state: state.into() });
-    let data = vec![0, 0xf8].into();
-    let (x, y, format, width, height, stride) = (0, 0, 0, 1, 1, 2);
-    glide.execute(&Call::GrLfbWriteRegion {
-        buffer: BACK,
-        x,
-        y,
-        format,
-        width,
-        height,
-        stride,
-        data,
-    });
-    assert_eq!(pixel(&mut glide, BACK, 0, 0), 0x001f);
 }
 
 /// A lock's constants and missing bias end with it; what calls set during the
