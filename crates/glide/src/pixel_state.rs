@@ -1,7 +1,7 @@
 //! State of the pixel pipeline: each function changes register bits.
 //!
 //! Every setter returns false for an enumerant it does not know, and then
-//! changes nothing.
+//! changes nothing; what is a switch is on for any number but 0.
 
 use fillrate_engine::state::FogTable;
 
