@@ -226,6 +226,18 @@ fn raw_faults_name_their_place() {
         let (code, text) = play("0x0000001e\nwait******\n", build);
         assert_eq!(code, Some(3));
         assert!(text.contains("waits for a word") || text.contains("record 1, word 1"), "{text}");
+        // A clear that lacks its colour, and a scene that does not end.
+        let (code, text) = play("0x0000001d\n0x00000003\n", build);
+        assert_eq!(code, Some(3));
+        assert!(text.contains("word 2: the stream ends inside RENDER_CLEARFB, 1 words"), "{text}");
+        let (code, text) = play("0x00000001\nwait******\n0x00000001\n0x00000002\n", build);
+        assert_eq!(code, Some(3));
+        assert!(text.contains("word 3: the stream ends inside a scene"), "{text}");
+        let (code, text) = play("0x0000001e0", build);
+        assert_eq!(code, Some(3));
+        assert!(text.contains("malformed record \"0x0000001e0\""), "{text}");
+        let (code, text) = play("0x0000002f\n0x0000001e\n", build);
+        assert_eq!((code, text.as_str()), (Some(0), ""));
         let (code, text) = play("0x00000", build);
         assert_eq!(code, Some(3));
         assert!(text.contains("ends after 7 of 11 bytes"), "{text}");

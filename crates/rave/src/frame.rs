@@ -45,7 +45,9 @@ impl Context {
                 if let Err(error) = other {
                     context.fail(error);
                 }
-                let keeps = context.notices[notice::IMAGE_BUFFER_INITIALIZE as usize];
+                // The notice is for frames that start from nothing.
+                let keeps =
+                    initial == 0 && context.notices[notice::IMAGE_BUFFER_INITIALIZE as usize];
                 let color = (!keeps).then(|| (context.background(), context.dither()));
                 fill(
                     context,
@@ -88,7 +90,9 @@ impl Context {
             context.fail(RaveError::Failure);
             (context.draw_buffer_accessed, context.z_buffer_accessed) = (false, false);
         }
-        let shows = !context.has(context::CACHE) && context.state.int(int::DONT_SWAP) == 0;
+        // Where there is nothing to swap, the end is a flush.
+        let swaps = context.state.int(int::DONT_SWAP) == 0 || context.draws_to_front();
+        let shows = !context.has(context::CACHE) && swaps;
         if shows {
             let rect = context.inside(modified);
             present(context, queue, rect);

@@ -5,7 +5,7 @@
 //!
 //! Source: RAVE, state variables.
 
-use crate::constants::{compare, context, fog};
+use crate::constants::{compare, context, fog, texture_op};
 use crate::handle::TextureId;
 use crate::tags::{MAX_WIDTH, ati, float, int, pointer};
 
@@ -22,10 +22,14 @@ pub(crate) struct Layer {
     pub op: u32,
     pub filter: u32,
     pub wrap: [u32; 2],
+    /// Magnifying and minifying.
     pub gl_filters: [u32; 2],
+    pub gl: GlFilters,
     pub mipmap_bias: f32,
     /// Alpha, red, green, blue.
-    pub border: [f32; 4],
+    border: [f32; 4],
+    /// The program set one of them.
+    has_border: bool,
     pub factor: f32,
     /// Alpha, red, green, blue.
     pub env_color: [f32; 4],
@@ -38,11 +42,19 @@ impl Layer {
         filter: 0,
         wrap: [0; 2],
         gl_filters: [0; 2],
+        gl: GlFilters { magnify: false, minify: false },
         mipmap_bias: 0.5,
         border: [0.0; 4],
+        has_border: false,
         factor: 0.5,
         env_color: [0.0; 4],
     };
+
+    /// The colour around its texture, 0xAARRGGBB, once the program set it.
+    pub fn border(&self) -> Option<u32> {
+        let clamps = self.wrap.iter().any(|&wrap| wrap != 0);
+        (clamps && self.has_border).then(|| argb(self.border))
+    }
 
     fn int(&mut self, tag: u32) -> Option<&mut u32> {
         Some(match tag {
@@ -61,6 +73,7 @@ impl Layer {
         Some(match tag {
             float::MULTI_TEXTURE_MIPMAP_BIAS => &mut self.mipmap_bias,
             float::MULTI_TEXTURE_BORDER_A..=float::MULTI_TEXTURE_BORDER_B => {
+                self.has_border = true;
                 &mut self.border[at(float::MULTI_TEXTURE_BORDER_A)]
             }
             float::MULTI_TEXTURE_FACTOR => &mut self.factor,
@@ -88,6 +101,8 @@ pub(crate) struct State {
     pub texture: Option<TextureId>,
     pub layers: [Layer; MAX_LAYERS],
     pub gl_filters: GlFilters,
+    /// The program set a part of the texture border's colour.
+    has_border: bool,
     has_z: bool,
 }
 
@@ -101,6 +116,7 @@ impl State {
             texture: None,
             layers: [Layer::DEFAULT; MAX_LAYERS],
             gl_filters: GlFilters::default(),
+            has_border: false,
             has_z,
         };
         let double = flags & context::DOUBLE_BUFFER != 0;
@@ -151,7 +167,15 @@ impl State {
 
     /// A colour whose alpha has this tag, as 0xAARRGGBB.
     pub fn color(&self, alpha_tag: u32) -> u32 {
-        (alpha_tag..alpha_tag + 4).fold(0, |argb, tag| argb << 8 | unit_byte(self.float(tag)))
+        argb(core::array::from_fn(|i| self.float(alpha_tag + i as u32)))
+    }
+
+    /// The colour around the texture, 0xAARRGGBB, once the program set it, where
+    /// the texture is clamped as OpenGL does.
+    pub fn border(&self) -> Option<u32> {
+        let shrinks = self.int(int::TEXTURE_OP) & texture_op::SHRINK != 0;
+        let clamps = self.int(int::GL_TEXTURE_WRAP_U) | self.int(int::GL_TEXTURE_WRAP_V) != 0;
+        (self.has_border && clamps && !shrinks).then(|| self.color(float::GL_TEXTURE_BORDER_A))
     }
 
     /// The rows of the area pattern.
@@ -215,8 +239,14 @@ impl State {
             _ => {}
         }
         if is_layer_int(tag) {
-            let layer = self.layer().map(|layer| &mut self.layers[layer]);
-            if let Some(place) = layer.and_then(|layer| layer.int(tag)) {
+            let Some(layer) = self.layer().map(|layer| &mut self.layers[layer]) else { return };
+            match tag {
+                int::MULTI_TEXTURE_FILTER => layer.gl = GlFilters::default(),
+                int::MULTI_TEXTURE_MAG_FILTER => layer.gl.magnify = true,
+                int::MULTI_TEXTURE_MIN_FILTER => layer.gl.minify = true,
+                _ => {}
+            }
+            if let Some(place) = layer.int(tag) {
                 *place = value;
             }
             return;
@@ -238,6 +268,7 @@ impl State {
             _ => value.clamp(f32::MIN, f32::MAX),
         };
         let layer = self.layer().map(|layer| &mut self.layers[layer]);
+        self.has_border |= (float::GL_TEXTURE_BORDER_A..=float::GL_TEXTURE_BORDER_B).contains(&tag);
         match layer.and_then(|layer| layer.float(tag)) {
             Some(place) => *place = value,
             None => self.floats[tag as usize] = value,
@@ -343,6 +374,11 @@ const ATI_FOG_MODES: [u32; 5] =
 /// 0..=1 as 0..=255, to the nearest; what is outside counts as the nearest.
 pub(crate) fn unit_byte(value: f32) -> u32 {
     (value.clamp(0.0, 1.0) * 255.0 + 0.5) as u32
+}
+
+/// Alpha, red, green and blue, 0..=1, as 0xAARRGGBB.
+fn argb(color: [f32; 4]) -> u32 {
+    color.into_iter().fold(0, |argb, channel| argb << 8 | unit_byte(channel))
 }
 
 fn is_int(tag: u32) -> bool {

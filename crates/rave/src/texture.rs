@@ -31,6 +31,8 @@ pub(crate) struct Decoding {
     pub clamp: bool,
     /// Texels of this colour, 0x00RRGGBB, are dropped.
     pub key: Option<u32>,
+    /// What lies around the texture, 0xAARRGGBB; without one its last texels go on.
+    pub border: Option<u32>,
 }
 
 /// Texels as the engine samples them.
@@ -38,7 +40,7 @@ pub(crate) struct Decoding {
 pub(crate) struct Decoded {
     pub decoding: Decoding,
     pub texels: Arc<Texels>,
-    /// Every texel's alpha is 255.
+    /// Every texel's alpha is 255, and the border's.
     pub opaque: bool,
 }
 
@@ -186,9 +188,9 @@ impl Picture {
             last: (self.levels.len() - 1) as u8,
             clamp_s: decoding.clamp,
         };
-        let mut opaque = true;
+        let mut opaque = decoding.border.is_none_or(|argb| argb >> 24 == 255);
         let mut keyed: Vec<Vec<bool>> = Vec::new();
-        let texels = Texels::build(desc, |level, out| {
+        let fill = |level: u8, out: &mut Vec<u32>| {
             let image = &self.levels[usize::from(level)];
             if self.is_bitmap {
                 self.decode_padded(image, table, out);
@@ -199,7 +201,11 @@ impl Picture {
             if let Some(key) = decoding.key {
                 keyed.push(out.iter().map(|&argb| self.is_key(argb, key)).collect());
             }
-        });
+        };
+        let texels = match decoding.border {
+            Some(border) => Texels::build_bordered(desc, border, fill),
+            None => Texels::build(desc, fill),
+        };
         let mut texels = texels.expect("sides and levels were checked when the images were taken");
         if decoding.key.is_some() {
             texels = texels.with_key(|level, column, row| {
@@ -324,7 +330,7 @@ mod tests {
     fn bitmaps_are_padded_by_their_edges() {
         let mut bitmap =
             Picture::bitmap(0, PixelType::Argb32, &image(3, 1, &[1, 2, 0xff00_0003])).unwrap();
-        let decoded = bitmap.decoded(Decoding { clamp: true, key: None });
+        let decoded = bitmap.decoded(Decoding { clamp: true, key: None, border: None });
         assert!(!decoded.opaque);
         assert_eq!(
             [0, 1, 2, 3].map(|x| decoded.texels.texel(0, x, 0)),
@@ -337,7 +343,8 @@ mod tests {
         let words: Vec<u8> = [0x7c00u16, 0x7800].iter().flat_map(|w| w.to_le_bytes()).collect();
         let image = ImageValue { width: 2, height: 1, pixels: words.into() };
         let mut texture = Picture::texture(0, PixelType::Rgb16, &[image]).unwrap();
-        let decoded = texture.decoded(Decoding { clamp: false, key: Some(0x00f9_0300) });
+        let decoded =
+            texture.decoded(Decoding { clamp: false, key: Some(0x00f9_0300), border: None });
         assert!(decoded.texels.is_keyed(0, 0, 0) && !decoded.texels.is_keyed(0, 1, 0));
     }
 }

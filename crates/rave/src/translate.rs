@@ -11,7 +11,7 @@ use fillrate_engine::state::{
 use fillrate_engine::{DrawState, PixelFormat};
 
 use crate::constants::{blend, channel, compare, multi_texture, quality, texture_op};
-use crate::state::{Layer, State, unit_byte};
+use crate::state::{GlFilters, Layer, State, unit_byte};
 use crate::tags::{float, int};
 
 /// The depth plane that a context compares with.
@@ -368,18 +368,26 @@ pub(crate) fn clamps(state: &State) -> [bool; 2] {
 }
 
 fn base_unit(state: &State, sampled: Sampled) -> TextureUnit {
-    let mut unit = sampler(
+    let unit = sampler(
         state.int(int::TEXTURE_FILTER),
         state.float(float::MIPMAP_BIAS),
         clamps(state),
         sampled,
     );
-    let gl = |tag: u32| if state.int(tag) != 0 { Filter::Bilinear } else { Filter::Point };
-    if state.gl_filters.magnify {
-        unit.magnify = gl(int::GL_TEXTURE_MAG_FILTER);
+    let tags = [int::GL_TEXTURE_MAG_FILTER, int::GL_TEXTURE_MIN_FILTER];
+    with_gl_filters(unit, state.gl_filters, tags.map(|tag| state.int(tag)))
+}
+
+/// A unit with those of OpenGL's filters that count: the one that magnifies, and
+/// the one that minifies.
+fn with_gl_filters(mut unit: TextureUnit, counts: GlFilters, filters: [u32; 2]) -> TextureUnit {
+    let [magnify, minify] =
+        filters.map(|linear| if linear != 0 { Filter::Bilinear } else { Filter::Point });
+    if counts.magnify {
+        unit.magnify = magnify;
     }
-    if state.gl_filters.minify {
-        unit.minify = gl(int::GL_TEXTURE_MIN_FILTER);
+    if counts.minify {
+        unit.minify = minify;
     }
     unit
 }
@@ -426,7 +434,8 @@ fn sampler(quality: u32, bias: f32, clamp: [bool; 2], sampled: Sampled) -> Textu
 /// theirs.
 fn layer_unit(layer: &Layer, sampled: Sampled) -> TextureUnit {
     let clamp = layer.wrap.map(|wrap| wrap != 0);
-    let mut unit = sampler(layer.filter, layer.mipmap_bias, clamp, sampled);
+    let unit = sampler(layer.filter, layer.mipmap_bias, clamp, sampled);
+    let mut unit = with_gl_filters(unit, layer.gl, layer.gl_filters);
     let pass = CombineUnit {
         zero_other: false,
         one_minus: true,

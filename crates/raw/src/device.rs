@@ -140,6 +140,11 @@ impl Core {
         }
     }
 
+    /// Pixels of the screen.
+    pub fn screen(&self) -> u64 {
+        self.target.depth.depths().len() as u64
+    }
+
     /// Carries out a command-mode command whose fixed parameters are `p`.
     ///
     /// Data words of a block follow through [`Core::block_word`]. Scene, halt and unknown commands
@@ -192,8 +197,7 @@ impl Core {
         replies: &mut Replies,
         read: impl Fn(&Target, u64) -> u32,
     ) {
-        let size = self.target.depth.depths().len() as u64;
-        let inside = size.saturating_sub(address).min(u64::from(count)) as u32;
+        let inside = self.screen().saturating_sub(address).min(u64::from(count)) as u32;
         let inside = if self.config.errata.blocks_do_nothing { 0 } else { inside };
         for offset in 0..u64::from(inside) {
             replies.push(read(&self.target, address + offset), 1);
@@ -371,6 +375,9 @@ impl<O: Observer> Device<O> {
             Mode::Params(op) => self.param(op, word),
             Mode::Block { op, index, count } => {
                 self.core.block_word(op, &self.params, index, word);
+                if !self.core.config.errata.blocks_do_nothing {
+                    self.observer.buffers(op.of_one_word(), self.core.screen());
+                }
                 self.block(op, index + 1, count);
             }
             Mode::Scene(reader) => self.scene_word(reader, word),
@@ -413,6 +420,7 @@ impl<O: Observer> Device<O> {
                 if let Some(fault) = self.core.texture_fault(op, &self.params, self.offset) {
                     self.fault(fault);
                 }
+                self.observer.buffers(op, self.core.screen());
                 if !self.clear(op) {
                     self.lend_buffers(op);
                     self.core.execute(op, &self.params, &mut self.replies);

@@ -83,7 +83,9 @@ errata! {
     /// When the sequence number rolls over, the flush comes one primitive early and the number
     /// for unordered primitives is not reset.
     rollover_keeps_lagged,
-    /// The ordering rule overlooks soft colour alpha in the decal modes.
+    /// The ordering rule overlooks soft colour alpha in the decal modes, colour that is transparent
+    /// at every corner in the blend mode, where the texture shows through, and alpha mode 3, which
+    /// acts as 1.
     ordering_ignores_decals,
     /// Mirroring model matrices flip normals, and a zero normal divides by zero.
     normals_flip,

@@ -39,6 +39,23 @@ pub enum StreamError {
         /// The place of the command's last parameter in the stream.
         offset: u64,
     },
+    /// The stream ends inside a command. What came of a block has been written; anything else of the
+    /// command is dropped.
+    #[error("word {offset}: the stream ends inside {command}, {missing} words before its end")]
+    Unfinished {
+        /// The command that was being read.
+        command: &'static str,
+        /// Words of it that did not come.
+        missing: u32,
+        /// The place in the stream where the next word would have been.
+        offset: u64,
+    },
+    /// The stream ends inside a scene. What was sent of it may be drawn or not.
+    #[error("word {offset}: the stream ends inside a scene")]
+    OpenScene {
+        /// The place in the stream where the next word would have been.
+        offset: u64,
+    },
     /// Words after the device was halted. They are dropped.
     #[error("word {offset}: the device is halted")]
     Halted {

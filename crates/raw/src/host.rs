@@ -7,7 +7,7 @@
 
 use std::collections::VecDeque;
 
-use crate::device::Device;
+use crate::device::{Device, MAX_SIZE};
 use crate::observer::Observer;
 use crate::protocol::{MalformedRecord, Record};
 
@@ -71,8 +71,9 @@ pub struct Host<O = ()> {
 
 /// Lines kept in the log; later ones are dropped.
 const MAX_LOG: usize = 4096;
-/// The most words one `read` passes back, so that a wrong count cannot fill the memory.
-pub const MAX_READ: u32 = 1 << 24;
+/// The most words one `read` passes back, so that a wrong count cannot fill the memory: the pixels
+/// of the largest screen.
+pub const MAX_READ: u32 = MAX_SIZE * MAX_SIZE;
 
 impl<O: Observer> Host<O> {
     /// Connects to a booted device: takes its ready word.

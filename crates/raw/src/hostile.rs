@@ -28,8 +28,21 @@ pub fn feed(bytes: &[u8]) {
         3 => records(as_records(stream), config, Build::Grid(Options::default())),
         4 => records(as_records(stream), config, Build::Grid(Options::improved(4))),
         5 => calls(stream, config),
-        _ => words(stream, config),
+        6 => words(stream, config),
+        _ => any_machine(stream, config),
     }
+}
+
+/// A grid of one to eight columns with any of its switches changed, by the first three bytes.
+fn any_machine(stream: &[u8], config: Config) {
+    let (switches, stream) = stream.split_at(stream.len().min(3));
+    let bits = switches.iter().fold(0u32, |bits, byte| bits << 8 | u32::from(*byte));
+    let mut options = Options { columns: 1 + (bits >> 16 & 7) as usize, ..Options::default() };
+    for (i, name) in Options::NAMES.iter().enumerate() {
+        let on = Options::of_the_thesis().any(|on| on == *name);
+        options.set(name, on != (bits >> i & 1 == 1));
+    }
+    records(as_records(stream), config, Build::Grid(options));
 }
 
 /// Numbers that are the same on every machine: xorshift.

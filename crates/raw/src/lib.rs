@@ -16,6 +16,7 @@ mod context;
 pub mod device;
 mod errata;
 mod error;
+mod follower;
 pub mod framebuffer;
 pub mod host;
 #[doc(hidden)]

@@ -23,6 +23,9 @@ pub trait Observer {
     }
     /// A command was carried out.
     fn command(&mut self, _op: Opcode) {}
+    /// A command mode command, or a word of its block (`op` then is the command for a single one),
+    /// wrote to buffers of so many pixels.
+    fn buffers(&mut self, _op: Opcode, _screen: u64) {}
     /// Stage 1 finished a primitive, visible or not.
     fn primitive(&mut self, _work: &GeometryWork) {}
     /// Stage 2 set a visible primitive up.

@@ -195,6 +195,15 @@ impl Opcode {
         Self::from_word(word).filter(|op| op.modes() != Modes::Command)
     }
 
+    /// The command that does for one pixel or depth what a word of this command's block does.
+    pub const fn of_one_word(self) -> Self {
+        match self {
+            Opcode::WriteFbBlock => Opcode::WriteFb,
+            Opcode::WriteZBlock => Opcode::WriteZ,
+            other => other,
+        }
+    }
+
     /// Where the length of the data that follows stands among the parameters, if the command is
     /// followed by a block of data words.
     pub const fn data_length_at(self) -> Option<usize> {

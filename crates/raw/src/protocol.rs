@@ -78,10 +78,11 @@ impl Record {
                 return Ok(record);
             }
         }
-        let text = bytes.strip_suffix(b"\n").unwrap_or(&bytes);
-        let digits = text.strip_prefix(b"0x").unwrap_or(text);
-        std::str::from_utf8(digits)
-            .ok()
+        // A word without its newline has lost step with the stream.
+        bytes
+            .strip_suffix(b"\n")
+            .map(|text| text.strip_prefix(b"0x").unwrap_or(text))
+            .and_then(|digits| std::str::from_utf8(digits).ok())
             .filter(|d| d.bytes().all(|b| b.is_ascii_hexdigit()))
             .and_then(|d| u32::from_str_radix(d, 16).ok())
             .map(Record::Data)
@@ -146,5 +147,6 @@ mod tests {
     fn bad_records_are_named() {
         assert!(Record::parse(*b"0x12345g78\n").is_err());
         assert!(Record::parse(*b"+000000001\n").is_err());
+        assert!(Record::parse(*b"0x0000001e0").is_err());
     }
 }

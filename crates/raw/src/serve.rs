@@ -4,11 +4,12 @@
 //! something else; with [`Repair::NextLine`] reading goes on behind the next newline instead.
 
 use std::cell::RefCell;
-use std::io::{self, Read, Write};
+use std::io::{self, BufWriter, Read, Write};
 use std::rc::Rc;
 
 use crate::device::{Config, Core, Device};
 use crate::error::StreamError;
+use crate::follower::Follower;
 use crate::host::{Host, HostError};
 use crate::observer::Observer;
 use crate::protocol::{MalformedRecord, RECORD_BYTES, Record};
@@ -194,14 +195,14 @@ pub enum ServeError {
 /// Faults of records kept.
 const MAX_ERRORS: usize = 256;
 
-/// Plays records from `input` on a machine; words for the client are written to `output` as
-/// records, each flushed, and what the device logs is passed to `log`.
+/// Plays records on a machine; words for the client are written to `output` as records, which are
+/// flushed before more is expected of it, and what the device logs is passed to `log`.
 ///
 /// The run ends with the stream, a halt, or an error that [`Served::errors`] then ends with.
 pub fn serve<R, W>(
     build: Build,
     config: Config,
-    records: RecordReader<R>,
+    mut records: RecordReader<R>,
     output: W,
     log: impl FnMut(&str) + 'static,
 ) -> Served
@@ -209,26 +210,58 @@ where
     R: Read + 'static,
     W: Write + 'static,
 {
+    let output = Rc::new(RefCell::new(BufWriter::new(output)));
+    let follower = Rc::new(RefCell::new(Follower::new(config.beyond)));
+    let (sent, followed) = (Rc::clone(&output), Rc::clone(&follower));
+    let records = std::iter::from_fn(move || {
+        // A client may wait for its words before it goes on. One that is gone is told of below.
+        let _ = sent.borrow_mut().flush();
+        let record = records.next();
+        if let Some(Ok(record)) = record {
+            followed.borrow_mut().record(record);
+        }
+        record
+    });
+    let mut served = play(build, config, records, Rc::clone(&output), log);
+    let flushed = output.borrow_mut().flush().map_err(ServeError::Write);
+    if served.errors.is_empty() {
+        served.faults.extend(follower.borrow().unfinished());
+        keep(&mut served.errors, flushed);
+    }
+    served
+}
+
+/// What words for the client are written to.
+type Output<W> = Rc<RefCell<BufWriter<W>>>;
+
+/// Plays records on the machine that `build` says.
+fn play<W: Write + 'static>(
+    build: Build,
+    config: Config,
+    records: impl Iterator<Item = Result<Record, RecordError>> + 'static,
+    output: Output<W>,
+    log: impl FnMut(&str) + 'static,
+) -> Served {
     match build {
         Build::Single => {
             let device = single::observed(config, Costs::default());
-            let (device, errors) = serve_here(device, records, output, log);
+            let (device, errors) = serve_here(device, records, &output, log);
             let counters = device.observer().counters();
             finish(device, counters, errors)
         }
         Build::Fast(threads) => {
             let device = Device::new(Config { threads: threads.max(1), ..config });
-            let (device, errors) = serve_here(device, records, output, log);
+            let (device, errors) = serve_here(device, records, &output, log);
             finish(device, Counters::default(), errors)
         }
         Build::Grid(options) => serve_grid(config, options, records, output, log),
     }
 }
 
-fn serve_here<O: Observer, R: Read, W: Write>(
+fn serve_here<O: Observer, W: Write>(
     device: Device<O>,
-    records: RecordReader<R>,
-    mut output: W,
+    records: impl Iterator<Item = Result<Record, RecordError>>,
+    output: &Output<W>,
     mut log: impl FnMut(&str),
 ) -> (Device<O>, Vec<ServeError>) {
     let mut host = Host::new(device);
@@ -241,7 +274,7 @@ fn serve_here<O: Observer, R: Read, W: Write>(
         let fatal = matches!(result, Err(ServeError::Host(HostError::Starved { .. })));
         keep(&mut errors, result);
         host.take_log().iter().for_each(|line| log(line));
-        let passed = pass_words(&mut output, std::iter::from_fn(|| host.pop()));
+        let passed = pass_words(output, std::iter::from_fn(|| host.pop()));
         let broken = passed.is_err();
         keep(&mut errors, passed);
         if fatal || broken || host.is_halted() {
@@ -275,25 +308,22 @@ fn keep(errors: &mut Vec<ServeError>, result: Result<(), ServeError>) {
     }
 }
 
-fn pass_words(output: &mut impl Write, words: impl Iterator<Item = u32>) -> Result<(), ServeError> {
-    for word in words {
-        let bytes = Record::Data(word).bytes();
-        output.write_all(&bytes).and_then(|()| output.flush()).map_err(ServeError::Write)?;
-    }
-    Ok(())
+fn pass_words<W: Write>(
+    output: &Output<W>,
+    mut words: impl Iterator<Item = u32>,
+) -> Result<(), ServeError> {
+    let mut output = output.borrow_mut();
+    let written = words.try_for_each(|word| output.write_all(&Record::Data(word).bytes()));
+    written.map_err(ServeError::Write)
 }
 
-fn serve_grid<R, W>(
+fn serve_grid<W: Write + 'static>(
     config: Config,
     options: Options,
-    records: RecordReader<R>,
-    mut output: W,
+    records: impl Iterator<Item = Result<Record, RecordError>> + 'static,
+    output: Output<W>,
     log: impl FnMut(&str) + 'static,
-) -> Served
-where
-    R: Read + 'static,
-    W: Write + 'static,
-{
+) -> Served {
     let errors = Rc::new(RefCell::new(Vec::new()));
     let (reading, writing) = (Rc::clone(&errors), Rc::clone(&errors));
     let good = records.filter_map(move |record| match record {
@@ -306,7 +336,7 @@ where
     let client = sim::HostSide {
         records: Box::new(good),
         reply: Box::new(move |word| {
-            let passed = pass_words(&mut output, std::iter::once(word));
+            let passed = pass_words(&output, std::iter::once(word));
             let open = passed.is_ok();
             keep(&mut writing.borrow_mut(), passed);
             open

@@ -28,14 +28,19 @@ fn texture(rng: &mut Rng, clamp_s: bool) -> Texture {
     let desc = TextureDesc { s_bits: bits(rng), t_bits: bits(rng), first, last, clamp_s };
     let palette: Vec<u32> = (0..1 + rng.below(7)).map(|_| texel(rng)).collect();
     let few_colors = rng.one_in(4);
-    let built = Texture::build(desc, |level, out| {
+    let border = rng.maybe(5, texel);
+    let mut texels = |level: u8, out: &mut Vec<u32>| {
         let side = |bits: u8| 1usize << bits.saturating_sub(level);
         let count = side(desc.s_bits) * side(desc.t_bits);
         out.extend((0..count).map(|_| match few_colors {
             true => rng.pick(&palette),
             false => texel(rng),
         }));
-    });
+    };
+    let built = match border {
+        Some(border) => Texture::build_bordered(desc, border, &mut texels),
+        None => Texture::build(desc, &mut texels),
+    };
     let texture = built.expect("sides, levels and texel counts are within limits");
     match rng.one_in(3) {
         true => texture.with_key(|_, _, _| rng.one_in(4)),

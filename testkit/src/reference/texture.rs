@@ -88,12 +88,19 @@ struct Sample<'a> {
 impl Sample<'_> {
     /// The texel, filtered.
     fn color(&self, texture: &Texture) -> [i32; 4] {
-        self.filtered(&|level, column, row| channels(texture.texel(level, column, row)), texture)
+        let color = |level, place: Option<(u32, u32)>| {
+            let border = texture.border().unwrap_or_default();
+            channels(place.map_or(border, |(x, y)| texture.texel(level, x, y)))
+        };
+        self.filtered(&color, texture)
     }
 
     /// Whether half of the weights or more belong to keyed texels.
     fn is_keyed(&self, texture: &Texture) -> bool {
-        let mark = |level, column, row| [128 * i32::from(texture.is_keyed(level, column, row)); 4];
+        let mark = |level, place: Option<(u32, u32)>| {
+            let is_keyed = place.is_some_and(|(x, y)| texture.is_keyed(level, x, y));
+            [128 * i32::from(is_keyed); 4]
+        };
         self.filtered(&mark, texture)[0] >= 64
     }
 
@@ -106,19 +113,21 @@ impl Sample<'_> {
         }
         let view = View { unit, texture, texel, number: number as usize };
         let shift = texture.level(view.number).shift;
+        let half = if filter == Filter::Bilinear { 0x80 } else { 0 };
+        let (s, t) = view.start(self.s >> shift, self.t >> shift, half);
         match filter {
-            Filter::Point => view.texel(self.s >> (8 + shift), self.t >> (8 + shift)),
-            Filter::Bilinear => bilinear(&view, self.s >> shift, self.t >> shift),
+            Filter::Point => view.texel(s >> 8, t >> 8),
+            Filter::Bilinear => bilinear(&view, s, t),
         }
     }
 }
 
-/// Red, green, blue and alpha of a level's texel.
-type Texel<'a> = dyn Fn(usize, u32, u32) -> [i32; 4] + 'a;
+/// Red, green, blue and alpha of a level's texel, or of the border.
+type Texel<'a> = dyn Fn(usize, Option<(u32, u32)>) -> [i32; 4] + 'a;
 
-/// Four texels weighted by four fraction bits: one exact sum, one truncation.
+/// Four texels weighted by four fraction bits: one exact sum, one truncation. The
+/// coordinates are those of the first one.
 fn bilinear(view: &View<'_>, s: i32, t: i32) -> [i32; 4] {
-    let (s, t) = (s.wrapping_sub(0x80), t.wrapping_sub(0x80));
     let (column, row) = (s >> 8, t >> 8);
     let (ds, dt) = (s >> 4 & 15, t >> 4 & 15);
     let corners = [
@@ -145,11 +154,36 @@ struct View<'a> {
 }
 
 impl View<'_> {
+    /// Coordinates of 8 fraction bits less half a texel where filtered; those of
+    /// a clamped texture with a border are brought between its sides first.
+    fn start(&self, s: i32, t: i32, half: i32) -> (i32, i32) {
+        let level = self.texture.level(self.number);
+        let limit = |v: i32, mask: u32, clamps: bool| match clamps && self.has_border() {
+            true => v.wrapping_sub(half).clamp(-half, mask as i32 * 256 + half),
+            false => v.wrapping_sub(half),
+        };
+        let (clamp_s, clamp_t) = (self.unit.clamp_s, self.unit.clamp_t);
+        (limit(s, level.s_mask, clamp_s), limit(t, level.t_mask, clamp_t))
+    }
+
+    fn has_border(&self) -> bool {
+        self.texture.border().is_some()
+    }
+
+    /// A texel, or the border where it is outside.
     fn texel(&self, column: i32, row: i32) -> [i32; 4] {
         let level = self.texture.level(self.number);
+        let is_outside = |at: i32, mask: u32, clamps: bool| {
+            clamps && self.has_border() && !(0..=mask as i32).contains(&at)
+        };
+        if is_outside(column, level.s_mask, self.unit.clamp_s)
+            || is_outside(row, level.t_mask, self.unit.clamp_t)
+        {
+            return (self.texel)(self.number, None);
+        }
         let column = place(column, level.s_mask, self.unit.clamp_s);
         let row = place(row, level.t_mask, self.unit.clamp_t);
-        (self.texel)(self.number, column, row)
+        (self.texel)(self.number, Some((column, row)))
     }
 }
 

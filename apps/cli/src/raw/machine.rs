@@ -35,9 +35,12 @@ pub struct MachineArgs {
     /// Columns of the grid, four tiles each
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = columns)]
     columns: usize,
-    /// Switches of the grid that differ from the thesis, by name
-    #[arg(long = "with", value_name = "NAME[,NAME]", value_delimiter = ',', value_parser = switch)]
-    switches: Vec<String>,
+    /// Improvements of the grid beyond the thesis, by name
+    #[arg(long, value_name = "NAME[,NAME]", value_delimiter = ',', value_parser = switch)]
+    with: Vec<String>,
+    /// What the thesis's grid has and this one lacks, by name: early_release, skip_busy
+    #[arg(long, value_name = "NAME[,NAME]", value_delimiter = ',', value_parser = switch)]
+    without: Vec<String>,
     /// Screen size
     #[arg(long, value_name = "WxH", default_value = "320x240", value_parser = size)]
     size: (u32, u32),
@@ -98,9 +101,8 @@ impl MachineArgs {
             BuildName::Fast => Build::Fast(self.threads.map_or_else(cores, usize::from)),
             BuildName::Grid => {
                 let mut options = Options { columns: self.columns, ..Options::default() };
-                for name in &self.switches {
-                    options.set(name, true);
-                }
+                self.with.iter().for_each(|name| _ = options.set(name, true));
+                self.without.iter().for_each(|name| _ = options.set(name, false));
                 Build::Grid(options)
             }
         }

@@ -51,6 +51,8 @@ pub struct Texture {
     desc: TextureDesc,
     levels: [Level; MAX_LEVELS],
     entries: Vec<u64>,
+    /// What lies around every level, 0xAARRGGBB.
+    border: Option<u32>,
     /// Which texels are keyed, in the same places: [`KEYED`] or 0.
     keys: Vec<u64>,
 }
@@ -68,6 +70,30 @@ impl Texture {
     /// [`EngineError::TextureData`] where a level has the wrong texel count.
     pub fn build(
         desc: TextureDesc,
+        texels: impl FnMut(u8, &mut Vec<u32>),
+    ) -> Result<Texture, EngineError> {
+        Texture::build_with(desc, None, texels)
+    }
+
+    /// As [`Texture::build`], with one texel of a colour, 0xAARRGGBB, around
+    /// every level. Where a unit clamps, coordinates go from one side of the
+    /// level to the other, and the filter's neighbours outside are the border: a
+    /// filtered sample at a side is half of it. Single texels are always inside.
+    /// A unit that repeats, or repeats along one axis, has no border there.
+    ///
+    /// # Errors
+    /// Those of [`Texture::build`].
+    pub fn build_bordered(
+        desc: TextureDesc,
+        border: u32,
+        texels: impl FnMut(u8, &mut Vec<u32>),
+    ) -> Result<Texture, EngineError> {
+        Texture::build_with(desc, Some(border), texels)
+    }
+
+    fn build_with(
+        desc: TextureDesc,
+        border: Option<u32>,
         mut texels: impl FnMut(u8, &mut Vec<u32>),
     ) -> Result<Texture, EngineError> {
         if usize::from(desc.s_bits.max(desc.t_bits)) >= MAX_LEVELS {
@@ -76,8 +102,8 @@ impl Texture {
         if desc.first > desc.last || usize::from(desc.last) >= MAX_LEVELS {
             return Err(EngineError::TextureShape("levels are out of range"));
         }
-        let mut texture =
-            Texture { desc, levels: [Level::default(); MAX_LEVELS], entries: vec![], keys: vec![] };
+        let levels = [Level::default(); MAX_LEVELS];
+        let mut texture = Texture { desc, levels, entries: vec![], border, keys: vec![] };
         let mut data = Vec::new();
         for number in desc.first..=desc.last {
             data.clear();
@@ -97,18 +123,34 @@ impl Texture {
         if data.len() != (width * height) as usize {
             return Err(EngineError::TextureData { width, height, given: data.len() });
         }
+        let pitch = width + ROW_PAD;
+        if let Some(border) = self.border {
+            // The row above, with the texel before it and the one before the next.
+            self.entries.resize(self.entries.len() + pitch as usize + 1, pair(border, border));
+        }
         self.levels[usize::from(number)] = Level {
             base: self.entries.len() as u32,
-            pitch: width + ROW_PAD,
+            pitch,
             s_mask: width - 1,
             t_mask: height - 1,
             shift: u32::from(number),
         };
         for row in data.chunks_exact(width as usize) {
-            let after_last = if self.desc.clamp_s { row[row.len() - 1] } else { row[0] };
+            let after_last = match self.border {
+                Some(border) if self.desc.clamp_s => border,
+                _ if self.desc.clamp_s => row[row.len() - 1],
+                _ => row[0],
+            };
+            if let (Some(border), Some(before)) = (self.border, self.entries.last_mut()) {
+                *before = pair(border, row[0]);
+            }
             let right = row[1..].iter().copied().chain([after_last]);
             self.entries.extend(row.iter().zip(right).map(|(&texel, right)| pair(texel, right)));
-            self.entries.extend([0; ROW_PAD as usize]);
+            let pad = self.border.map_or(0, |border| pair(border, border));
+            self.entries.extend([pad; ROW_PAD as usize]);
+        }
+        if let Some(border) = self.border {
+            self.entries.resize(self.entries.len() + pitch as usize, pair(border, border));
         }
         Ok(())
     }
@@ -116,7 +158,7 @@ impl Texture {
     /// The same texels, some of which a draw state may drop: see
     /// [`crate::state::TextureUnit::drop_keyed`]. `is_keyed` is asked for every
     /// level, column and row. What keyed texels look like still counts in
-    /// filtered samples that are not dropped.
+    /// filtered samples that are not dropped. A border is not keyed.
     pub fn with_key(mut self, mut is_keyed: impl FnMut(u8, u32, u32) -> bool) -> Texture {
         self.keys = vec![0; self.entries.len()];
         for number in self.desc.first..=self.desc.last {
@@ -125,9 +167,16 @@ impl Texture {
                 let keyed: Vec<u32> = (0..=s_mask)
                     .map(|column| if is_keyed(number, column, row) { KEYED } else { 0 })
                     .collect();
-                let after_last = if self.desc.clamp_s { s_mask as usize } else { 0 };
-                let rights = keyed[1..].iter().chain([&keyed[after_last]]);
+                let after_last = match (self.desc.clamp_s, self.border) {
+                    (true, Some(_)) => 0,
+                    (true, None) => keyed[s_mask as usize],
+                    (false, _) => keyed[0],
+                };
+                let rights = keyed[1..].iter().chain([&after_last]);
                 let first = (base + row * pitch) as usize;
+                if self.border.is_some() {
+                    self.keys[first - 1] = pair(0, keyed[0]);
+                }
                 for ((entry, &key), &right) in self.keys[first..].iter_mut().zip(&keyed).zip(rights)
                 {
                     *entry = pair(key, right);
@@ -148,6 +197,11 @@ impl Texture {
     /// none is keyed.
     pub(crate) fn keys(&self) -> &[u64] {
         &self.keys
+    }
+
+    /// The colour around every level, 0xAARRGGBB, where there is one.
+    pub fn border(&self) -> Option<u32> {
+        self.border
     }
 
     /// The shape it was built with.
@@ -198,6 +252,37 @@ mod tests {
         assert_eq!(texture.texel(7, 0, 0), 0xffff_ffff);
         assert_eq!(texture.entries()[0], 0x5511_7733_8844_6622);
         assert_eq!(texture.entries()[1], 0x1155_3377_4488_2266);
+    }
+
+    #[test]
+    fn borders_surround_every_level() {
+        let desc = TextureDesc { s_bits: 1, t_bits: 1, first: 0, last: 1, clamp_s: true };
+        let texture = Texture::build_bordered(desc, 0xff00_00ff, |level, out| {
+            out.extend(if level == 0 { vec![1, 2, 3, 4] } else { vec![5] });
+        })
+        .unwrap()
+        .with_key(|level, column, row| (level, column, row) == (0, 0, 1));
+        for (number, first, last) in [(0, [1, 3], [2, 4]), (1, [5, 5], [5, 5])] {
+            let level = texture.level(number);
+            let at = |column: i32, row: i32| {
+                let start = level.base as i32 + row * level.pitch as i32;
+                (start + column) as usize
+            };
+            let height = level.t_mask as i32 + 1;
+            for row in 0..height {
+                let (left, right) = (at(-1, row), at(level.s_mask as i32, row));
+                assert_eq!(texture.entries()[left], pair(0xff00_00ff, first[row as usize]));
+                assert_eq!(texture.entries()[right], pair(last[row as usize], 0xff00_00ff));
+            }
+            for column in -1..=level.s_mask as i32 {
+                for row in [-1, height] {
+                    assert_eq!(texture.entries()[at(column, row)], pair(0xff00_00ff, 0xff00_00ff));
+                }
+            }
+        }
+        let level = texture.level(0);
+        let keys = &texture.keys()[(level.base + level.pitch) as usize - 1..][..3];
+        assert_eq!(keys, [pair(0, KEYED), pair(KEYED, 0), 0]);
     }
 
     #[test]

@@ -69,14 +69,17 @@ const DEPTH_SCALE: f32 = (1 << 14) as f32;
 pub(super) fn prepare(context: &mut DrawContext, objects: &mut Objects) -> Prepared {
     let key = key(context);
     let mut bound = [const { None }; MAX_TMUS];
-    let base = bind(context, objects, context.state.texture, clamps(&context.state)[0], key);
+    let decoding =
+        Decoding { clamp: clamps(&context.state)[0], key, border: context.state.border() };
+    let base = bind(context, objects, context.state.texture, decoding);
     if base.is_some() {
         bound[0] = base;
         let layers = context.state.int(int::MULTI_TEXTURE_ENABLE) as usize;
         for layer in 0..layers.min(MAX_TMUS - 1) {
             let layer_state = context.state.layers[layer];
             let clamp = layer_state.wrap[0] != 0;
-            match bind(context, objects, layer_state.texture, clamp, None) {
+            let decoding = Decoding { clamp, key: None, border: layer_state.border() };
+            match bind(context, objects, layer_state.texture, decoding) {
                 Some(texture) => bound[layer + 1] = Some(texture),
                 None => break,
             }
@@ -137,8 +140,7 @@ fn bind(
     context: &mut DrawContext,
     objects: &mut Objects,
     texture: Option<TextureId>,
-    clamp: bool,
-    key: Option<u32>,
+    decoding: Decoding,
 ) -> Option<Bound> {
     let id = texture?;
     let Some(picture) = objects.textures.get_mut(&id.0) else {
@@ -152,12 +154,12 @@ fn bind(
     let (width, height) = picture.size();
     let (flipped, levels, resource) =
         (picture.is_flipped(), picture.levels.len(), picture.resource);
-    let decoded = picture.decoded(Decoding { clamp, key });
+    let decoded = picture.decoded(decoding);
     Some(Bound {
         texels: decoded.texels.clone(),
         size: [width as f32, height as f32],
         flipped,
-        opaque: decoded.opaque && key.is_none(),
+        opaque: decoded.opaque && decoding.key.is_none(),
         levels,
         resource,
     })
@@ -180,7 +182,7 @@ pub(super) fn bind_bitmap(
     }
     let (width, height) = picture.size();
     let (flipped, resource) = (picture.is_flipped(), picture.resource);
-    let decoded = picture.decoded(Decoding { clamp: true, key });
+    let decoded = picture.decoded(Decoding { clamp: true, key, border: None });
     Some(Bound {
         texels: decoded.texels.clone(),
         size: [width as f32, height as f32],

@@ -1,12 +1,13 @@
 //! Frames, buffers, notices and caches.
 
 use fillrate_rave::constants::context::{CACHE, DOUBLE_BUFFER, NO_Z_BUFFER, SCALE};
-use fillrate_rave::constants::{compare, notice};
+use fillrate_rave::constants::{compare, device, notice};
+use fillrate_rave::gestalt::Answer;
 use fillrate_rave::notice::{Host, deliver, render_end, render_start};
 use fillrate_rave::tags::{float, int};
 use fillrate_rave::{
-    Call, Context, DrawContextId, PixelType, RaveConfig, RaveError, RaveRect, Reply, Shown,
-    VGouraud,
+    Call, Context, DeviceValue, DrawContextId, EngineId, PixelType, RaveConfig, RaveError,
+    RaveRect, Reply, Shown, VGouraud,
 };
 
 use crate::scene::{Scene, area, colored, config, context_new, memory};
@@ -59,6 +60,44 @@ fn a_swap_may_wait() {
     let half = RaveRect::new(0, 0, 8, 16);
     scene.call(Call::SwapBuffers { context: scene.context, dirty: Some(half) });
     assert_eq!([scene.pixel(3, 3), scene.pixel(12, 3)], [RED, 0xff00_0000]);
+}
+
+#[test]
+fn without_a_back_buffer_there_is_no_swap_to_wait_for() {
+    let mut scene = Scene::with(config(), 16, 16, PixelType::Rgb32, 0);
+    scene.int(int::DONT_SWAP, 1);
+    frame(&mut scene, |scene| red(scene, 0.5));
+    assert_eq!(scene.pixel(3, 3), RED);
+}
+
+/// A device that is no memory of the program, in every pixel type that a context
+/// can have: the picture is that of a memory device.
+#[test]
+fn devices_without_memory_draw_the_same() {
+    let mask = Context::default().gestalt(EngineId::BUILT_IN, 9).expect("a known selector");
+    let Answer::Number(allowed) = mask else { panic!("{mask:?}") };
+    assert_eq!(allowed, 0x179e);
+    for pixel_type in PixelType::ALL {
+        let mut pictures = Vec::new();
+        for device_type in [device::MEMORY, device::OFFSCREEN] {
+            let mut scene = Scene::new(16, 16, PixelType::Rgb32);
+            let (rect, flags) = (area(16, 16), DOUBLE_BUFFER);
+            let device = DeviceValue { device_type, ..memory(16, 16, pixel_type) };
+            let call =
+                Call::DrawContextNew { engine: 1, device, rect, scaled: None, clip: None, flags };
+            let reply = scene.call(call);
+            if allowed & pixel_type.bit() == 0 {
+                assert_eq!(reply, Reply::Created(Err(RaveError::NotSupported)), "{pixel_type:?}");
+                continue;
+            }
+            scene.context = reply.created();
+            frame(&mut scene, |scene| {
+                scene.rect([2.0, 2.0, 14.0, 9.0], colored([0.9, 0.4, 0.2], 0.5))
+            });
+            pictures.push(scene.library.shown().expect("a frame"));
+        }
+        assert!(pictures.iter().all(|picture| *picture == pictures[0]), "{pixel_type:?}");
+    }
 }
 
 #[test]

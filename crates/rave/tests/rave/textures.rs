@@ -1,7 +1,7 @@
 //! Textures, bitmaps and colour tables.
 
 use fillrate_rave::constants::context::DOUBLE_BUFFER;
-use fillrate_rave::constants::{multi_texture, texture, texture_op};
+use fillrate_rave::constants::{multi_texture, quality, texture, texture_op};
 use fillrate_rave::gestalt::{Answer, selector};
 use fillrate_rave::memory::{EngineKind, MemoryConfig};
 use fillrate_rave::tags::{float, int, pointer};
@@ -10,7 +10,7 @@ use fillrate_rave::{
     TextureId, VGouraud, VMultiTexture, VTexture,
 };
 
-use crate::scene::{Scene, colored, config, context_new, image, textured};
+use crate::scene::{Scene, channels, colored, config, context_new, image, textured};
 
 const R: u32 = 0xffff_0000;
 const G: u32 = 0xff00_ff00;
@@ -88,6 +88,110 @@ fn coordinates_repeat_or_are_limited() {
         assert_eq!(corners.map(|(x, y)| scene.pixel(x, y)), [R, G, B, W]);
         scene.int(int::TEXTURE_OP, 0);
     }
+}
+
+/// The colour of a coordinate by OpenGL's rule: between the sides of the picture,
+/// four texels, those outside of the border's colour. Two texels a side.
+fn with_border(at: [f64; 2], texels: [u32; 4], border: u32, clamps: [bool; 2]) -> u32 {
+    let place = |at: f64, clamps: bool| {
+        let at = (at * 2.0 * 256.0).floor() as i32;
+        let at = if clamps { at.clamp(0, 512) } else { at } - 128;
+        (at >> 8, at >> 4 & 15)
+    };
+    let ((column, ds), (row, dt)) = (place(at[0], clamps[0]), place(at[1], clamps[1]));
+    let texel = |column: i32, row: i32| {
+        let outside = |at: i32, clamps: bool| clamps && !(0..2).contains(&at);
+        if outside(column, clamps[0]) || outside(row, clamps[1]) {
+            return border;
+        }
+        texels[(row & 1) as usize * 2 + (column & 1) as usize]
+    };
+    let mix = |shift: u32| {
+        let channel = |column: i32, row: i32| (texel(column, row) >> shift & 255) as i32;
+        let across = |row: i32| channel(column, row) * (16 - ds) + channel(column + 1, row) * ds;
+        ((across(row) * (16 - dt) + across(row + 1) * dt) >> 8) as u32
+    };
+    0xff00_0000 | mix(16) << 16 | mix(8) << 8 | mix(0)
+}
+
+#[test]
+fn borders_show_where_a_filter_reaches_over_the_side() {
+    const BORDER: u32 = 0xff80_4020;
+    let mut scene = scene();
+    let texels = [R, G, B, W];
+    let texture = scene.texture_new(2, &texels);
+    scene.texture(texture);
+    let check = |scene: &mut Scene, border: u32, clamps: [bool; 2], what: &str| {
+        frame(scene, rect_twice);
+        for (x, y) in (0..256).map(|i| (i % 16, i / 16)) {
+            let at = [x, y].map(|v| (f64::from(v) + 0.5) / 8.0 - 0.5);
+            let expected = with_border(at, texels, border, clamps);
+            assert_eq!(scene.pixel(x, y), expected, "{what}: {x}, {y}");
+        }
+    };
+    let edge = |scene: &mut Scene, what: &str| {
+        frame(scene, rect_twice);
+        let corners = [(0, 0), (15, 0), (0, 15), (15, 15)];
+        assert_eq!(corners.map(|(x, y)| scene.pixel(x, y)), texels, "{what}");
+    };
+    scene.int(int::TEXTURE_FILTER, quality::MID);
+    scene.int(int::GL_TEXTURE_WRAP_U, 1);
+    scene.int(int::GL_TEXTURE_WRAP_V, 1);
+    edge(&mut scene, "no border is set");
+    scene.color(float::GL_TEXTURE_BORDER_A, [1.0, 128.0 / 255.0, 64.0 / 255.0, 32.0 / 255.0]);
+    check(&mut scene, BORDER, [true, true], "both");
+    scene.int(int::GL_TEXTURE_WRAP_U, 0);
+    check(&mut scene, BORDER, [false, true], "v");
+    scene.int(int::GL_TEXTURE_WRAP_U, 1);
+    scene.int(int::GL_TEXTURE_WRAP_V, 0);
+    check(&mut scene, BORDER, [true, false], "u");
+    scene.int(int::GL_TEXTURE_WRAP_V, 1);
+    scene.float(float::GL_TEXTURE_BORDER_R, 0.0);
+    check(&mut scene, 0xff00_4020, [true, true], "another colour");
+    scene.int(int::TEXTURE_OP, texture_op::SHRINK);
+    edge(&mut scene, "Shrink has none");
+    scene.int(int::TEXTURE_OP, 0);
+    scene.int(int::TEXTURE_FILTER, quality::FAST);
+    edge(&mut scene, "one texel is always inside");
+    // The border's alpha counts, where all texels are opaque.
+    scene.int(int::TEXTURE_FILTER, quality::MID);
+    scene.int(int::BLEND, 1);
+    scene.color(float::GL_TEXTURE_BORDER_A, [0.0, 1.0, 0.0, 0.0]);
+    frame(&mut scene, rect_twice);
+    let [_, r, _, _] = channels(scene.pixel(0, 0));
+    assert!((60..68).contains(&r), "a quarter of red is left: {r}");
+}
+
+#[test]
+fn layers_have_borders_and_filters_of_their_own() {
+    let mut scene = scene();
+    let (base, layer) = (scene.texture_new(1, &[0xff00_0000]), scene.texture_new(1, &[R]));
+    scene.texture(base);
+    let (context, tag) = (scene.context, pointer::MULTI_TEXTURE);
+    scene.int(int::MULTI_TEXTURE_ENABLE, 1);
+    scene.call(Call::SetTexture { context, tag, texture: layer });
+    scene.int(int::MULTI_TEXTURE_WRAP_U, 1);
+    scene.int(int::MULTI_TEXTURE_WRAP_V, 1);
+    // Far to the right, in the middle of the texture's height.
+    let params = vec![VMultiTexture { inv_w: 1.0, u_over_w: 5.0, v_over_w: 0.5 }; 3];
+    scene.call(Call::SubmitMultiTextureParams { context, layer: 0, params });
+    let shows = |scene: &mut Scene| {
+        frame(scene, |scene| scene.rect_texture(ALL, textured(0.5)));
+        scene.pixel(8, 8)
+    };
+    scene.color(float::MULTI_TEXTURE_BORDER_A, [1.0, 0.0, 0.0, 1.0]);
+    assert_eq!(shows(&mut scene), R, "one texel");
+    scene.int(int::MULTI_TEXTURE_FILTER, quality::MID);
+    assert_eq!(shows(&mut scene), 0xff7f_007f);
+    scene.int(int::MULTI_TEXTURE_MAG_FILTER, 0);
+    assert_eq!(shows(&mut scene), R, "OpenGL's filter counts from when it is set");
+    scene.int(int::MULTI_TEXTURE_MAG_FILTER, 1);
+    assert_eq!(shows(&mut scene), 0xff7f_007f);
+    scene.int(int::MULTI_TEXTURE_FILTER, quality::FAST);
+    assert_eq!(shows(&mut scene), R);
+    scene.int(int::MULTI_TEXTURE_WRAP_U, 0);
+    scene.int(int::MULTI_TEXTURE_FILTER, quality::MID);
+    assert_eq!(shows(&mut scene), R, "no border where it repeats");
 }
 
 /// The division by w: half of the texture's width is far left of the middle.

@@ -233,6 +233,26 @@ pub fn shapes(outcomes: &[Outcome]) -> Vec<(&'static str, bool)> {
         ("ordered < unordered transparent < opaque < no z", {
             ordered < unordered && unordered < opaque && opaque < best
         }),
+        ("stage 2 is busiest with plain pixels, then with texture, then with transparency", {
+            let stage2 = |t| mean_stage(&line(t), 1);
+            stage2(BEST[0]) > stage2("flat colour")
+                && stage2("flat colour") > stage2("bilinear texture")
+                && stage2("bilinear texture") > stage2("transparent")
+        }),
+        ("stage 4 is busiest with plain pixels", {
+            let stage4 = |t| mean_stage(&line(t), 3);
+            CHARTED.iter().all(|c| c.title == BEST[0] || stage4(c.title) < stage4(BEST[0]))
+        }),
+        ("the overhead is greatest for small triangles and smallest for large ones", {
+            let overhead = |sizes: &dyn Fn(f32) -> bool| {
+                let (low, high) =
+                    range(outcomes.iter().filter(|o| sizes(o.test.scale)).map(Outcome::overhead));
+                (low + high) / 2.0
+            };
+            let (small, medium, large) =
+                (overhead(&|s| s < 0.02), overhead(&|s| s == 0.1), overhead(&|s| s == 1.0));
+            small > medium && medium > large
+        }),
         ("stage 3 is busiest when everything is on", {
             let stage3 = |t| mean_stage(&line(t), 2);
             stage3("everything on") > stage3("flat colour")

@@ -56,8 +56,11 @@ const COLORS: [&str; 12] = [
 ];
 
 const PANEL_WIDTH: f64 = 300.0;
-const PANEL_HEIGHT: f64 = 220.0;
-const MARGIN: f64 = 36.0;
+/// Where the plots begin and end, from the top of a figure.
+const TOP: f64 = 50.0;
+const BOTTOM: f64 = 200.0;
+const LEGEND: f64 = BOTTOM + 52.0;
+const MARGIN: f64 = 40.0;
 
 fn stage(o: &Outcome, stage: usize) -> f64 {
     100.0 * o.grid.utilisation(o.columns)[stage]
@@ -92,7 +95,7 @@ pub fn json(o: &Outcome) -> String {
     let stages = o.grid.utilisation(o.columns).map(|u| format!("{u:.6}")).join(",");
     format!(
         "{{\"outer\":\"{}\",\"inner\":\"{}\",\"scale\":{},\"columns\":{},\"single_cycles\":{},\
-         \"grid_cycles\":{},\"speed_up\":{:.6},\"stages\":[{stages}],\"fragments\":{},\
+         \"grid_cycles\":{},\"speed_up\":{:.6},\"overhead\":{:.6},\"stages\":[{stages}],\"fragments\":{},\
          \"pixels\":{},\"same_picture\":{}}}",
         o.test.outer.name,
         o.test.inner.name,
@@ -101,6 +104,7 @@ pub fn json(o: &Outcome) -> String {
         o.single.stream_cycles,
         o.grid.stream_cycles,
         o.speed_up(),
+        o.overhead(),
         o.grid.frags,
         o.grid.pixels,
         o.same_picture
@@ -146,7 +150,7 @@ fn escape(text: &str) -> String {
 }
 
 fn figure(outcomes: &[Outcome], title: &str, panels: &[Panel]) -> String {
-    let (width, height) = (PANEL_WIDTH * panels.len() as f64, PANEL_HEIGHT + 110.0);
+    let (width, height) = (PANEL_WIDTH * panels.len() as f64, LEGEND + 60.0);
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" \
          font-family=\"sans-serif\" font-size=\"11\"><text x=\"4\" y=\"14\" font-size=\"14\">\
@@ -162,31 +166,43 @@ fn figure(outcomes: &[Outcome], title: &str, panels: &[Panel]) -> String {
 }
 
 fn draw_panel(out: &mut String, outcomes: &[Outcome], (name, value): &Panel, left: f64) {
-    let values = outcomes.iter().map(value);
-    let (low, high) = values.fold((0.0f64, 1e-9f64), |(l, h), v| (l.min(v), h.max(v)));
-    let x = |i: usize| left + MARGIN + i as f64 * (PANEL_WIDTH - MARGIN - 8.0) / 6.0;
-    let y = |v: f64| {
-        let room = PANEL_HEIGHT - MARGIN - 30.0;
-        30.0 + room * (high - v) / (high - low)
-    };
-    let _ = write!(out, "<text x=\"{:.1}\" y=\"26\">{name}</text>", left + MARGIN);
-    for part in 0..=4 {
-        let v = low + (high - low) * f64::from(part) / 4.0;
+    let axis = Axis::over(outcomes.iter().map(value));
+    let x = |i: usize| left + MARGIN + i as f64 * (PANEL_WIDTH - MARGIN - 18.0) / 6.0;
+    let y = |v: f64| BOTTOM - (BOTTOM - TOP) * axis.share(v);
+    let _ = write!(
+        out,
+        "<text x=\"{:.1}\" y=\"{}\" font-weight=\"bold\">{name}</text>",
+        x(0),
+        TOP - 12.0
+    );
+    for v in axis.ticks() {
         let _ = write!(
             out,
-            "<path d=\"M{:.1} {y:.1}H{:.1}\" stroke=\"#ddd\"/><text x=\"{:.1}\" y=\"{y:.1}\" \
-             text-anchor=\"end\">{v:.1}</text>",
+            "<path d=\"M{:.1} {y:.1}H{:.1}\" stroke=\"#ddd\"/><text x=\"{:.1}\" y=\"{:.1}\" \
+             text-anchor=\"end\">{}</text>",
             x(0),
             x(6),
-            x(0) - 3.0,
+            x(0) - 4.0,
+            y(v) + 4.0,
+            axis.label(v),
             y = y(v)
         );
     }
     for (i, scale) in SCALES.iter().enumerate() {
-        let at = PANEL_HEIGHT - MARGIN + 14.0;
-        let _ =
-            write!(out, "<text x=\"{:.1}\" y=\"{at}\" text-anchor=\"middle\">{scale}</text>", x(i));
+        let _ = write!(
+            out,
+            "<text x=\"{:.1}\" y=\"{}\" text-anchor=\"middle\">{scale}</text>",
+            x(i),
+            BOTTOM + 16.0
+        );
     }
+    let _ = write!(
+        out,
+        "<text x=\"{:.1}\" y=\"{}\" text-anchor=\"middle\" fill=\"#666\">scale of the triangles\
+         </text>",
+        x(3),
+        BOTTOM + 32.0
+    );
     for (index, color) in COLORS.iter().enumerate() {
         let points: Vec<String> = line(outcomes, index)
             .iter()
@@ -201,9 +217,41 @@ fn draw_panel(out: &mut String, outcomes: &[Outcome], (name, value): &Panel, lef
     }
 }
 
+/// A vertical axis from zero or below, in round steps.
+struct Axis {
+    low: f64,
+    high: f64,
+    step: f64,
+}
+
+impl Axis {
+    fn over(values: impl Iterator<Item = f64>) -> Self {
+        let (low, high) = values.fold((0.0f64, 1e-9f64), |(l, h), v| (l.min(v), h.max(v)));
+        let rough = (high - low) / 4.0;
+        let power = 10f64.powi(rough.log10().floor() as i32);
+        let step = [1.0, 2.0, 5.0].into_iter().find(|m| m * power >= rough).unwrap_or(10.0) * power;
+        Self { low: (low / step).floor() * step, high: (high / step).ceil() * step, step }
+    }
+
+    fn ticks(&self) -> impl Iterator<Item = f64> {
+        let count = ((self.high - self.low) / self.step).round() as u32;
+        (0..=count).map(|i| self.low + f64::from(i) * self.step)
+    }
+
+    /// How far up the axis a value lies, 0..=1.
+    fn share(&self, value: f64) -> f64 {
+        (value - self.low) / (self.high - self.low)
+    }
+
+    fn label(&self, value: f64) -> String {
+        let digits = (-self.step.log10().floor()).max(0.0) as usize;
+        format!("{value:.digits$}")
+    }
+}
+
 fn legend(out: &mut String) {
     for (index, (mode, color)) in CHARTED.iter().zip(COLORS).enumerate() {
-        let (x, y) = (8.0 + 300.0 * (index % 4) as f64, PANEL_HEIGHT + 30.0 * (index / 4) as f64);
+        let (x, y) = (8.0 + 300.0 * (index % 4) as f64, LEGEND + 20.0 * (index / 4) as f64);
         let _ = write!(
             out,
             "<path d=\"M{x} {y}h20\" stroke=\"{color}\" stroke-width=\"3\"/><text x=\"{}\" \

@@ -1,11 +1,26 @@
 //! From work done to bursts of cycles. Both builds are charged through these functions.
 
 use super::cost::{Burst, Costs};
+use crate::opcode::Opcode;
 use crate::stage::combine::Textured;
 use crate::stage::composite::Outcome;
 use crate::stage::geometry::GeometryWork;
 use crate::stage::raster::{Interpolants, RasterWork};
 use crate::state::{PrimInfo, texmode};
+
+/// A command on a screen of so many pixels, without the words it is made of; returns the pixels that
+/// the frame-buffer controller is sent. Words of a block count as commands of their own.
+pub fn command(c: &Costs, op: Opcode, screen: u64, mut charge: impl FnMut(Burst)) -> u64 {
+    let (pixels, depths) = match op {
+        Opcode::ClearFb => (screen, 0),
+        Opcode::ClearZ | Opcode::Reset => (0, screen),
+        Opcode::WriteFb => (1, 0),
+        Opcode::WriteZ => (0, 1),
+        _ => (0, 0),
+    };
+    charge(c.s1.command_pixel.times((pixels + depths) as u32));
+    pixels
+}
 
 /// Stage 1 after the end of the primitive has been read.
 pub fn geometry(c: &Costs, work: &GeometryWork, mut charge: impl FnMut(Burst)) {

@@ -69,6 +69,8 @@ pub struct Stage1Costs {
     pub compare_extent: Burst,
     /// Sending, per word.
     pub send_word: Burst,
+    /// Writing a pixel or a depth in command mode, as clears do for the whole screen.
+    pub command_pixel: Burst,
 }
 
 /// Costs of stage 2, rasterisation.
@@ -198,6 +200,7 @@ pub const COSTS: Costs = Costs {
         premultiply_extra: Burst::new(40, 65),
         compare_extent: Burst::new(8, 80),
         send_word: Burst::new(4, 80),
+        command_pixel: Burst::new(8, 80),
     },
     s2: Stage2Costs {
         receive_word: Burst::new(4, 90),

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use super::kernel::TaskId;
 use super::machine::{HostWait, Machine, Word};
-use super::perf::Counters;
+use super::meters;
 use crate::host::{HostError, MAX_READ, text_of};
 use crate::protocol::{MalformedRecord, Record};
 
@@ -20,19 +20,11 @@ pub struct HostSide {
     pub log: Box<dyn FnMut(&str)>,
 }
 
-/// When counting began, and what has been counted.
-#[derive(Default)]
-struct Meters {
-    perf: Option<u64>,
-    scene: Option<u64>,
-}
-
 struct Host {
     m: Rc<Machine>,
     me: TaskId,
     side: HostSide,
     clock: Cell<u64>,
-    meters: Meters,
     /// Records taken, words sent.
     places: (u64, u64),
 }
@@ -40,15 +32,14 @@ struct Host {
 /// Plays the records and stops the kernel.
 pub async fn run(m: Rc<Machine>, side: HostSide, me: Rc<Cell<TaskId>>) {
     let clock = Cell::new(m.k.now());
-    let mut host = Host { m, me: me.get(), side, clock, meters: Meters::default(), places: (0, 0) };
+    let mut host = Host { m, me: me.get(), side, clock, places: (0, 0) };
     host.word().await;
     while let Some(record) = host.next() {
-        if !host.record(record).await {
+        if !host.record(record).await || host.m.halted.get() {
             break;
         }
     }
     host.m.k.catch_up(host.me, &host.clock).await;
-    host.meters.stop(&host.m);
     host.m.k.stop();
 }
 
@@ -93,9 +84,9 @@ impl Host {
             }
             meta => {
                 self.m.k.catch_up(self.me, &self.clock).await;
-                self.meters.meta(&self.m, meta);
+                meters::meta(&self.m, meta);
                 if meta == Record::Report {
-                    self.meters.settle(&self.m);
+                    meters::settle(&self.m);
                     (self.side.log)(&self.m.counters().report());
                 }
             }
@@ -135,55 +126,5 @@ impl Host {
 
     fn fault(&self, fault: HostError) {
         self.m.host_faults.borrow_mut().push(fault);
-    }
-}
-
-impl Meters {
-    fn meta(&mut self, m: &Machine, record: Record) {
-        let now = m.k.now();
-        match record {
-            Record::PerfStart => self.perf = Some(self.perf.unwrap_or(now)),
-            Record::PerfStop => self.stop(m),
-            Record::PerfReset => {
-                self.stop(m);
-                *m.counters.borrow_mut() = Counters::default();
-                m.tiles.iter().for_each(|t| t.active.set(0));
-            }
-            Record::EnterScene => self.scene = Some(self.scene.unwrap_or(now)),
-            Record::ExitScene => {
-                self.close_scene(m);
-                self.scene = None;
-            }
-            Record::Frame if self.perf.is_some() => m.counters.borrow_mut().frames += 1,
-            Record::Prim if self.perf.is_some() => m.counters.borrow_mut().prims += 1,
-            _ => {}
-        }
-        m.counting.set(self.perf.is_some() && self.scene.is_some());
-    }
-
-    /// Adds the cycles of the open scene that were counted.
-    fn close_scene(&mut self, m: &Machine) {
-        if let (Some(scene), Some(perf)) = (self.scene, self.perf) {
-            m.counters.borrow_mut().stream_cycles += m.k.now() - scene.max(perf);
-        }
-    }
-
-    /// Brings the counters up to now and counts on.
-    fn settle(&mut self, m: &Machine) {
-        self.close_scene(m);
-        let now = m.k.now();
-        if let Some(since) = &mut self.perf {
-            m.counters.borrow_mut().render_cycles += now - *since;
-            *since = now;
-        }
-        self.scene = self.scene.map(|_| now);
-    }
-
-    fn stop(&mut self, m: &Machine) {
-        self.close_scene(m);
-        if let Some(since) = self.perf.take() {
-            m.counters.borrow_mut().render_cycles += m.k.now() - since;
-        }
-        m.counting.set(false);
     }
 }

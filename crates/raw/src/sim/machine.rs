@@ -10,6 +10,7 @@ use super::cost::{Burst, Costs};
 use super::gdn::{Gdn, Place};
 use super::kernel::{Kernel, TaskId};
 use super::link::Link;
+use super::meters::Meters;
 use super::perf::Counters;
 use super::pipe::{STEPS, StepMessage};
 use super::ticket::{Progress, Ticket, Tickets};
@@ -103,6 +104,8 @@ pub enum Wait {
     FlushReplies,
     /// A message from the tile at that row and column.
     Message(Place),
+    /// Nothing: it was halted, or hangs as the listing does, for the reason given.
+    Forever(&'static str),
 }
 
 /// A processor: its clock, its account and what holds it up.
@@ -254,8 +257,10 @@ pub struct Machine {
     pub mail: Vec<Mailbox>,
     /// When the memory port of each row is free again; stage 4 has one for each bank.
     pub ports: Vec<Cell<u64>>,
-    /// Counting is on, and a scene is open.
-    pub counting: Cell<bool>,
+    /// Since when the counters count.
+    pub meters: Cell<Meters>,
+    /// The device was halted for good.
+    pub halted: Cell<bool>,
     /// The counters.
     pub counters: RefCell<Counters>,
     /// Faults in the stream.
@@ -314,7 +319,8 @@ impl Machine {
             controllers: vec![Cell::new(0); banks],
             mail: (0..4 * columns).map(|_| Mailbox::default()).collect(),
             ports: vec![Cell::new(0); 3 + banks],
-            counting: Cell::new(false),
+            meters: Cell::default(),
+            halted: Cell::new(false),
             counters: RefCell::default(),
             faults: RefCell::default(),
             accepted: RefCell::default(),
@@ -374,7 +380,8 @@ impl Machine {
 
     /// Counts active cycles, in hundredths, without letting time pass.
     pub fn account(&self, tile: &Tile, hundredths: u64) {
-        if self.counting.get() {
+        let Meters { perf, scene } = self.meters.get();
+        if perf.is_some() && scene.is_some() {
             tile.active.set(tile.active.get() + hundredths);
         }
     }
@@ -388,7 +395,7 @@ impl Machine {
 
     /// Adds to the counters while counting is on.
     pub fn count(&self, add: impl FnOnce(&mut Counters)) {
-        if self.counting.get() {
+        if self.meters.get().perf.is_some() {
             add(&mut self.counters.borrow_mut());
         }
     }
@@ -506,9 +513,33 @@ impl Machine {
                 Wait::Message((row, column)) => {
                     format!("a message from tile {}", self.tile_number(row, column))
                 }
+                Wait::Forever(why) => {
+                    lines += &format!("tile {number} (stage {stage}) {why}\n");
+                    continue;
+                }
             };
             lines += &format!("tile {number} (stage {stage}) waits for {text}\n");
         }
-        lines
+        lines + &self.token_is()
+    }
+
+    /// Where the token is and what it says; nothing where order is kept in another way.
+    fn token_is(&self) -> String {
+        let mut text = String::new();
+        for (column, post) in self.tokens.iter().take(self.columns).enumerate() {
+            let tile = self.tile_number(3, column);
+            if let Some((_, value)) = post.incoming.get() {
+                text += &format!("the token, at {value}, is on its way to tile {tile}\n");
+            }
+            if let Some(value) = post.granted.get() {
+                text += &format!("tile {tile} has the token, at {value}\n");
+            }
+        }
+        for (bank, progress) in self.progress.iter().enumerate() {
+            if self.options.uses_tickets() {
+                text += &format!("bank {bank} has finished what is before {}\n", progress.low());
+            }
+        }
+        text
     }
 }

@@ -16,6 +16,7 @@ mod host;
 mod kernel;
 mod link;
 mod machine;
+mod meters;
 mod options;
 pub mod perf;
 mod pipe;
@@ -125,8 +126,11 @@ pub fn play_stream(
     id.set(m.k.spawn(Box::pin(host::run(Rc::clone(&m), side, Rc::clone(&id)))));
     let stuck = match m.k.run() {
         Ended::Stopped => None,
+        // A host that sends words to a halted device is left alone with them.
+        Ended::Stuck if m.halted.get() => None,
         Ended::Stuck => Some(Deadlock { cycle: m.k.now(), waits: m.waits() }),
     };
+    meters::settle(&m);
     let run = finish(&m);
     m.k.clear();
     (run, stuck)
@@ -147,6 +151,7 @@ fn boot(m: &Rc<Machine>) {
 /// Stops everything but the host interface and starts again. Beyond the thesis.
 fn restart(m: &Rc<Machine>) {
     m.stop_tiles();
+    m.halted.set(false);
     m.core.borrow_mut().reset();
     boot(m);
 }

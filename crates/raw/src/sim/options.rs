@@ -19,6 +19,11 @@ macro_rules! options {
             /// The names of all switches.
             pub const NAMES: &'static [&'static str] = &[$(stringify!($name),)+];
 
+            /// The switches that are on in the machine of the thesis.
+            pub fn of_the_thesis() -> impl Iterator<Item = &'static str> {
+                [$((stringify!($name), $default)),+].into_iter().filter(|s| s.1).map(|s| s.0)
+            }
+
             /// Sets the switch of that name. Returns false when there is none.
             pub fn set(&mut self, name: &str, on: bool) -> bool {
                 match name {
@@ -42,6 +47,9 @@ options! {
     /// Stage 1 lets the next tile start before it transforms its primitive: the late fix of the
     /// thesis. Off, it is the "unfixed" stage 1.
     early_release = true,
+    /// A primitive goes to the next stage-1 tile that is ready. Off, it waits for the next one in
+    /// the row: the plain round robin that the thesis improves on.
+    skip_busy = true,
     /// State changes go from tile to tile instead of through memory.
     direct_state = false,
     /// Only the fields a mode needs are sent.

@@ -54,10 +54,6 @@ impl SingleTile {
         self.charge(Burst::new(cycles, 0));
     }
 
-    fn counting(&self) -> bool {
-        self.perf && self.scene
-    }
-
     /// The counters; time is counted up to now.
     pub fn counters(&self) -> Counters {
         self.counters
@@ -69,7 +65,7 @@ impl SingleTile {
         if self.perf {
             self.counters.render_cycles += cycles;
         }
-        if self.counting() {
+        if self.perf && self.scene {
             self.counters.stream_cycles += cycles;
             self.counters.active[0] += active;
         }
@@ -104,10 +100,16 @@ impl Observer for SingleTile {
         self.charge(self.costs.s1.dispatch);
     }
 
+    fn buffers(&mut self, op: Opcode, screen: u64) {
+        let costs = self.costs;
+        let pixels = charges::command(&costs, op, screen, |burst| self.charge(burst));
+        self.counters.pixels += u64::from(self.perf) * pixels;
+    }
+
     fn primitive(&mut self, work: &GeometryWork) {
         let costs = self.costs;
         charges::geometry(&costs, work, |burst| self.charge(burst));
-        self.counters.drawn_prims += u64::from(self.counting() && work.visible);
+        self.counters.drawn_prims += u64::from(self.perf && work.visible);
     }
 
     fn setup(&mut self, needs: Interpolants) {
@@ -129,7 +131,7 @@ impl Observer for SingleTile {
                 self.stall(costs.miss);
             }
         }
-        let counts = u64::from(self.counting());
+        let counts = u64::from(self.perf);
         self.counters.frags += counts;
         self.counters.tex_frags += counts;
         self.counters.texels += counts * u64::from(textured.looked_up);
@@ -143,7 +145,7 @@ impl Observer for SingleTile {
             self.stall(costs.miss);
         }
         self.stall(costs.s4.round_trip * outcome.page_reads);
-        self.counters.pixels += u64::from(self.counting()) * u64::from(outcome.page_writes);
+        self.counters.pixels += u64::from(self.perf) * u64::from(outcome.page_writes);
     }
 
     fn rows(&mut self, work: RasterWork) {

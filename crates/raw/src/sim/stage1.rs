@@ -100,22 +100,54 @@ impl Stage1 {
             }
             match op {
                 Opcode::BeginScene => return,
-                Opcode::Halt => loop {
-                    self.m.k.suspend().await;
-                },
+                Opcode::Halt => {
+                    self.m.halted.set(true);
+                    self.hang("was halted").await;
+                }
+                Opcode::Reset => self.reset(),
                 _ => {
                     self.check_texture(op, &params);
                     self.m.core.borrow_mut().execute(op, &params, &mut replies);
                 }
             }
+            self.write_buffers(op);
             let count = op.data_length_at().map_or(0, |at| params[at]);
+            let discards = self.m.core.borrow().config.errata.blocks_do_nothing;
             for index in 0..count {
                 let word = self.host_word().await;
                 self.m.core.borrow_mut().block_word(op, &params, index, word);
+                if !discards {
+                    self.write_buffers(op.of_one_word());
+                }
             }
             while let Some(word) = replies.pop() {
                 self.reply(word).await;
             }
+        }
+    }
+
+    /// Charges for what a command writes to the buffers.
+    fn write_buffers(&self, op: Opcode) {
+        let screen = self.m.core.borrow().screen();
+        let costs = &self.m.costs;
+        let pixels = charges::command(costs, op, screen, |burst| self.m.work(self.tile(), burst));
+        self.m.count(|c| c.pixels += pixels);
+    }
+
+    /// The reset command. The sequence numbers go on: stage 4 does not hear of it.
+    fn reset(&self) {
+        let mut core = self.m.core.borrow_mut();
+        let (next, lagged) = (core.state.prim.seq_num, core.state.lagged_seq_num);
+        core.reset();
+        (core.state.prim.seq_num, core.state.lagged_seq_num) = (next, lagged);
+    }
+
+    /// Does nothing any more.
+    async fn hang(&self, why: &'static str) -> ! {
+        self.m.catch_up(self.tile()).await;
+        self.tile().wait.set(Wait::Forever(why));
+        loop {
+            self.m.k.suspend().await;
         }
     }
 
@@ -225,9 +257,7 @@ impl Stage1 {
                     let hung = matches!(fault, StreamError::Hung { .. });
                     self.fault(fault);
                     if hung {
-                        loop {
-                            self.m.k.suspend().await;
-                        }
+                        self.hang("hangs: a primitive ended inside a command").await;
                     }
                     if marker {
                         return self.release().await;

@@ -141,10 +141,13 @@ impl Switch {
     /// Routes one primitive from the west: blocks up to the zero count.
     async fn route(&self, to: &Link<Word>) {
         loop {
+            // A count goes through a register, and is routed by the next instruction.
             let count = self.take(self.west_side()).await;
             self.put(to, count).await;
             for _ in 0..count.value {
                 let word = self.take(self.west_side()).await;
+                // Taken and put by one instruction.
+                self.clock.set(self.clock.get() - 1);
                 self.put(to, word).await;
             }
             if count.value == 0 {
@@ -155,7 +158,7 @@ impl Switch {
 
     async fn turn(&self) -> SwitchState {
         let row = &self.m.row0;
-        if self.column == 0 {
+        if self.column == 0 && self.m.options.skip_busy {
             self.sleep_while_all_busy().await;
         }
         row.offered[self.column].set(self.clock.get());
@@ -186,11 +189,26 @@ impl Switch {
     /// Whether the processor can take a primitive at the switch's time.
     async fn is_ready(&self) -> bool {
         let row = &self.m.row0;
+        if !self.m.options.skip_busy {
+            self.wait_for_processor().await;
+            return true;
+        }
         if self.clock.get() < row.busy_until.get() {
             return false;
         }
         self.m.k.catch_up(self.task, &self.clock).await;
         row.ready[self.column].get()
+    }
+
+    /// Waits until this column's processor can take a primitive.
+    async fn wait_for_processor(&self) {
+        let row = &self.m.row0;
+        self.m.k.catch_up(self.task, &self.clock).await;
+        while !row.ready[self.column].get() {
+            row.sleeping_offer.set(Some(self.task));
+            self.m.k.suspend().await;
+        }
+        self.clock.set(self.clock.get().max(self.m.k.now()));
     }
 
     /// While no processor is ready the offer only circles. When one becomes ready, the circle then

@@ -35,9 +35,9 @@ pub fn light(
     let more = state.beyond.shines();
     info.mode.set_more_light(u32::from(more));
     if info.mode.use_dir() == 1 {
-        let strength = reflectance(state) * (color::low(info.dir_color) as f32 / 255.0);
+        let power = color::low(info.dir_color) as f32;
         for (vertex, v) in out.iter_mut().zip(input) {
-            vertex.intensity = directional(state, v.normal, strength, errata);
+            vertex.intensity = directional(state, v.normal, power, errata);
         }
     }
     if more {
@@ -63,11 +63,13 @@ fn world_normal(state: &RenderState, normal: [f32; 3], errata: &Errata) -> Optio
     Some(([x, y, z], 1.0 / square.sqrt()))
 }
 
-fn directional(state: &RenderState, normal: [f32; 3], strength: f32, errata: &Errata) -> f32 {
+/// The intensity of the first light, of the power 0..=255, in the listing's order of operations.
+fn directional(state: &RenderState, normal: [f32; 3], power: f32, errata: &Errata) -> f32 {
     let Some(([x, y, z], scale)) = world_normal(state, normal, errata) else { return 0.0 };
     let [lx, ly, lz] = state.light;
     let product = -(x * scale * lx + y * scale * ly + z * scale * lz);
-    if product <= 0.0 { 0.0 } else { product * strength }
+    let reflected = product * (state.dir_reflect & 0xff) as f32 / 255.0;
+    if product <= 0.0 { 0.0 } else { reflected * power / 255.0 }
 }
 
 /// Light of further lights, then of the highlights of all lights; red, green, blue, each.

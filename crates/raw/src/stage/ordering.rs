@@ -18,19 +18,22 @@ pub fn is_unordered(mode: ModeBits, vertices: &[InputVertex], errata: &Errata) -
 fn must_be_ordered(mode: ModeBits, vertices: &[InputVertex], errata: &Errata) -> bool {
     let all = |value| vertices.iter().all(|v| color::low(v.rgba) == value);
     let translucent = !all(0) && !all(255);
+    // What is neither forced opaque nor cut by the threshold is soft, the fourth value as well.
+    let keeps = errata.ordering_ignores_decals;
+    let soft = |alpha| alpha == alpha::SOFT || (!keeps && alpha > alpha::HARD);
+    let (texture, color) = (soft(mode.tex_alpha()), soft(mode.col_alpha()));
     let tm = mode.texmode();
-    let soft_texture =
-        mode.tex_alpha() == alpha::SOFT && (tm & 2 != 0 || (tm & 4 != 0 && translucent));
-    let soft_color = mode.col_alpha() == alpha::SOFT
-        && translucent
-        && matches!(tm, texmode::COLOR | texmode::BLEND | texmode::MODULATE);
-    let decal = matches!(tm, texmode::TEXDECAL | texmode::COLDECAL)
-        && (mode.tex_alpha() == alpha::SOFT || (mode.col_alpha() == alpha::SOFT && !all(255)));
+    let soft_texture = texture && (tm & 2 != 0 || (tm & 4 != 0 && translucent));
+    let soft_color =
+        color && translucent && matches!(tm, texmode::COLOR | texmode::BLEND | texmode::MODULATE);
+    // Where two layers are mixed, a transparent one lets the other through in part.
+    let mixed = matches!(tm, texmode::BLEND | texmode::TEXDECAL | texmode::COLDECAL)
+        && (texture || (color && !all(255)));
     mode.no_use_z() == 1
         || mode.no_write_z() == 1
         || soft_texture
         || soft_color
-        || (decal && !errata.ordering_ignores_decals)
+        || (mixed && !keeps)
 }
 
 /// What numbering a primitive led to.
@@ -112,6 +115,25 @@ mod tests {
         assert!(!is_unordered(mode, &opaque, &Errata::CORRECT));
         mode.set_out_of_order(1);
         assert!(is_unordered(mode, &opaque, &Errata::CORRECT));
+    }
+
+    #[test]
+    fn blended_texture_shows_through_transparent_colour() {
+        let clear = [InputVertex { rgba: 0, ..InputVertex::default() }; 3];
+        let mut mode = ModeBits::default();
+        mode.set_texmode(texmode::BLEND);
+        mode.set_tex_alpha(alpha::NONE);
+        assert!(!is_unordered(mode, &clear, &Errata::CORRECT));
+        assert!(is_unordered(mode, &clear, &Errata::FAITHFUL));
+    }
+
+    #[test]
+    fn the_fourth_alpha_mode_is_soft() {
+        let half = [InputVertex { rgba: 0x80, ..InputVertex::default() }; 3];
+        let mut mode = ModeBits::default();
+        mode.set_col_alpha(3);
+        assert!(!is_unordered(mode, &half, &Errata::CORRECT));
+        assert!(is_unordered(mode, &half, &Errata::FAITHFUL));
     }
 
     #[test]

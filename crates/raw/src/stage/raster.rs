@@ -114,16 +114,18 @@ impl Bounds {
         };
         let low = c.map(first).into_iter().min().unwrap_or(0);
         let high = c.map(end).into_iter().max().unwrap_or(0).min(last);
-        if errata.box_clamp_moves && high < 0 {
-            return (0, 0);
+        match (errata.box_clamp_moves, high < 0, low > last) {
+            (true, true, _) => (0, 0),
+            (true, _, true) => (last, last),
+            (false, true, _) | (false, _, true) => OFF_SCREEN,
+            _ => (low.max(0), high),
         }
-        if low > last {
-            return (
-                if errata.box_clamp_moves { last } else { 1 },
-                if errata.box_clamp_moves { last } else { 0 },
-            );
-        }
-        (low.max(0), high)
+    }
+
+    /// Rows that are entered in vain, because the box lies between the centres of two columns.
+    fn rows_without_columns(&self) -> u32 {
+        let between = self.left == self.right.saturating_add(1);
+        if between { (self.bottom - self.top + 1).max(0) as u32 } else { 0 }
     }
 
     /// Whether no pixel can be covered.
@@ -131,6 +133,9 @@ impl Bounds {
         self.left > self.right || self.top > self.bottom
     }
 }
+
+/// Bounds along an axis that nothing of a triangle reaches.
+const OFF_SCREEN: (i32, i32) = (1, -1);
 
 fn ceil_i32(v: f32) -> i32 {
     v.ceil() as i32
@@ -259,7 +264,8 @@ impl TriangleWalker {
     fn new(setup: Setup) -> Self {
         let (edges, lanes) = (setup.edges.row, setup.lanes.row);
         let (x, y) = (setup.bounds.left, setup.bounds.top);
-        let work = RasterWork::default();
+        let rows = setup.bounds.rows_without_columns();
+        let work = RasterWork { rows, ..RasterWork::default() };
         Self { setup, edges, lanes, x, y, entered: false, in_row: false, work }
     }
 

@@ -49,6 +49,25 @@ fn late_token_serialises_stage_1() {
     let stage1 = 100.0 * late.grid.utilisation(4)[0];
     // One tile at a time, so at most a quarter; the thesis saw about that much.
     assert!((15.0..=25.0).contains(&stage1), "{stage1}");
+    // Passing the token round while nothing comes counted as work, about as much.
+    let stage4 = |o: &Outcome| 100.0 * o.grid.utilisation(4)[3];
+    assert!((15.0..=27.0).contains(&stage4(&late)), "{}", stage4(&late));
+    assert!(stage4(&early) < 1.0);
+}
+
+#[test]
+fn plain_round_robin_waits_for_busy_tiles() {
+    let plain = Options { skip_busy: false, ..Options::default() };
+    let ratio = |line: usize, scale: f32| {
+        let (waits, skips) =
+            (measure(line, scale, plain), measure(line, scale, Options::default()));
+        assert!(waits.same_picture);
+        waits.grid.stream_cycles as f64 / skips.grid.stream_cycles as f64
+    };
+    // "Everything on" at moderate sizes, where four pipelines can be kept busy.
+    assert!(ratio(8, 0.1) > 1.05);
+    // The smallest triangles keep nobody busy.
+    assert!((ratio(0, 0.01) - 1.0).abs() < 0.001);
 }
 
 #[test]

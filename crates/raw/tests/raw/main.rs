@@ -7,4 +7,5 @@ mod experiment;
 mod fast;
 mod fragments;
 mod hostile;
+mod mixes;
 mod parallel;

@@ -3,6 +3,7 @@
 use fillrate_raw::call::Call;
 use fillrate_raw::client::Client;
 use fillrate_raw::opcode::Opcode;
+use fillrate_raw::protocol::Record;
 use fillrate_raw::sim::cost::COSTS;
 use fillrate_raw::sim::{self, Options};
 use fillrate_raw::{Config, Errata, scenes};
@@ -24,6 +25,37 @@ fn pattern_is_identical_on_one_to_eight_columns() {
     }
 }
 
+/// A large triangle, and many tiny ones behind it.
+fn large_then_small(client: &mut Client) {
+    for index in 0..40u8 {
+        let size = if index == 0 { 0.9 } else { 0.02 };
+        let (left, z) = (f32::from(index) / 45.0, f32::from(index) / 100.0);
+        client.call(&Call::BeginPrim {});
+        for [x, y] in [[0.0, 0.0], [size, 0.0], [0.0, size]] {
+            client.vertex([left + x - 0.9, y, z], [0.0; 2]);
+        }
+        client.call(&Call::EndPrim {});
+    }
+}
+
+#[test]
+fn busy_tiles_are_skipped() {
+    let records = scene(|_| {}, large_then_small);
+    let run = |skip_busy| {
+        let options = Options { skip_busy, ..Options::default() };
+        sim::play(Config::default(), COSTS, options, &records, |_| {}).expect("no deadlock")
+    };
+    let (skips, waits) = (run(true), run(false));
+    assert!(skips.core.target == on_single(&records).core().target);
+    assert!(waits.core.target == skips.core.target);
+    // In the row, tile after tile.
+    let columns = |run: &sim::Run| run.accepted.iter().map(|a| a.0).collect::<Vec<_>>();
+    assert!(columns(&waits).iter().enumerate().all(|(i, column)| *column == i % 4));
+    let of_the_first = columns(&skips).iter().filter(|column| **column == 0).count();
+    assert!(of_the_first < 5, "{of_the_first}");
+    assert!(skips.cycles < waits.cycles);
+}
+
 #[test]
 fn order_test_is_identical() {
     let records = scene(|_| {}, scenes::order_test);
@@ -40,6 +72,65 @@ fn cubes_are_identical() {
     assert!(single.observer().counters().frags > 1000);
     let run = on_grid(4, &records);
     assert!(run.core.target == single.core().target);
+}
+
+/// The order test twice, with a reset between.
+fn with_a_reset() -> Vec<Record> {
+    let mut client = Client::new(Errata::CORRECT);
+    for _ in 0..2 {
+        client.call(&Call::BeginScene {});
+        scenes::order_test(&mut client);
+        client.call(&Call::EndScene {});
+        client.call(&Call::Reset {});
+    }
+    client.call(&Call::BeginScene {});
+    scenes::order_test(&mut client);
+    client.call(&Call::EndScene {});
+    client.take_records()
+}
+
+#[test]
+fn numbers_go_on_after_a_reset() {
+    let records = with_a_reset();
+    let single = on_single(&records);
+    assert_eq!(single.core().state.prim.seq_num, 14);
+    for columns in [1, 4] {
+        let run = on_grid(columns, &records);
+        assert!(run.core.target == single.core().target, "{columns} columns");
+        assert_eq!((run.token, run.core.state.prim.seq_num), (Some(40), 40));
+    }
+}
+
+#[test]
+fn clears_count_pixels_and_take_time() {
+    let mut client = Client::new(Errata::CORRECT);
+    client.meta(Record::PerfStart);
+    client.call(&Call::ClearFb { pages: 3, rgbx: 7 });
+    client.call(&Call::ClearZ {});
+    client.call(&Call::WriteFb { x: 1, y: 1, pages: 1, rgbx: 7 });
+    client.call(&Call::WriteFbBlock { x: 1, y: 1, pages: 1, pixels: vec![1, 2, 3] });
+    client.call(&Call::WriteZBlock { x: 1, y: 1, depths: vec![1, 2] });
+    client.meta(Record::PerfStop);
+    let mut records = client.take_records();
+    // The grid counts what has been done when the host stops it.
+    records.splice(records.len() - 1.., [Record::Data(36), Record::Wait, Record::PerfStop]);
+    let single = on_single(&records).observer().counters();
+    let grid = on_grid(4, &records).counters;
+    let written = 2 * 320 * 240 + 1 + 3 + 2;
+    for counters in [single, grid] {
+        assert_eq!(counters.pixels, 320 * 240 + 1 + 3);
+        assert_eq!((counters.stream_cycles, counters.active), (0, [0; 4]));
+        let words = (records.len() - 3) as u64;
+        let expected = 8 * written + 10 * words;
+        assert!((expected..expected + 300).contains(&counters.render_cycles), "{counters:?}");
+    }
+}
+
+#[test]
+fn a_halted_machine_stops() {
+    let words = [30, 47, 30, 30, 30, 30, 30, 30, 30].map(Record::Data);
+    let run = on_grid(4, &words);
+    assert!(run.faults.is_empty());
 }
 
 #[test]
@@ -67,6 +158,7 @@ fn faithful_roll_over_hangs_and_says_who_waits() {
     })
     .expect_err("unordered primitives wait for a number that never comes");
     assert!(stuck.waits.contains("(stage 4) waits for the token"), "{stuck}");
+    assert!(stuck.waits.contains("the token, at"), "{stuck}");
 }
 
 /// Every switch alone, all that improve, and the pixel pipelines with them.
@@ -75,7 +167,7 @@ fn machines(columns: usize) -> Vec<(String, Options)> {
     let mut machines = vec![("improved".to_owned(), Options::improved(columns))];
     for name in Options::NAMES {
         let mut options = base;
-        options.set(name, *name != "early_release");
+        options.set(name, !Options::of_the_thesis().any(|on| on == *name));
         machines.push(((*name).to_owned(), options));
     }
     let piped = Options { pixel_pipeline: true, ..Options::improved(columns) };

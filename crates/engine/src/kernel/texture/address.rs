@@ -345,11 +345,16 @@ fn store_address<S: Simd>(
     let one = s.splat(1);
     let x = qs.sar_each(level.shift) - level.half;
     let y = qt.sar_each(level.shift) - level.half;
-    let x = confine(s, x, level.s_mask, plan.unit.clamp_s);
-    let y = confine(s, y, level.t_mask, plan.unit.clamp_t);
+    // Half a texel outside, the border is half of the sample.
+    let edge = if plan.has_border { level.half } else { s.splat(0) };
+    let x = confine(s, x, level.s_mask, edge, plan.unit.clamp_s);
+    let y = confine(s, y, level.t_mask, edge, plan.unit.clamp_t);
     let (column, row) = (x.sar(8), y.sar(8));
-    let next =
-        if plan.unit.clamp_t { (row + one).min(level.t_mask) } else { (row + one) & level.t_mask };
+    let next = match (plan.unit.clamp_t, plan.has_border) {
+        (true, true) => row + one,
+        (true, false) => (row + one).min(level.t_mask),
+        (false, _) => (row + one) & level.t_mask,
+    };
     let start = level.base + column;
     s.store(start + row.mul(level.pitch), &mut out.row0.0[k..]);
     s.store(start + next.mul(level.pitch), &mut out.row1.0[k..]);
@@ -362,9 +367,14 @@ fn store_address<S: Simd>(
 }
 
 /// Clamps or wraps a coordinate of 8 fraction bits to a side of mask + 1
-/// texels. Clamped below the first or above the last texel the fraction is 0,
-/// since both neighbours are the same texel there.
+/// texels, and `edge` on either side where it is clamped. Without an edge the
+/// fraction is 0 below the first and above the last texel, since both neighbours
+/// are the same texel there.
 #[inline(always)]
-fn confine<S: Simd>(s: S, x: S::I, mask: S::I, clamp: bool) -> S::I {
-    if clamp { x.max(s.splat(0)).min(mask.shl(8)) } else { x & (mask.shl(8) | s.splat(0xff)) }
+fn confine<S: Simd>(s: S, x: S::I, mask: S::I, edge: S::I, clamp: bool) -> S::I {
+    if clamp {
+        x.max(s.splat(0) - edge).min(mask.shl(8) + edge)
+    } else {
+        x & (mask.shl(8) | s.splat(0xff))
+    }
 }

@@ -32,6 +32,8 @@ pub(crate) struct UnitPlan {
     pub needs_lod: bool,
     /// Both filters sample one point.
     pub point: bool,
+    /// Samples at the sides of a clamped texture reach into its border.
+    pub has_border: bool,
     /// The combine unit passes the texel through.
     pub texel_only: bool,
     /// The unit upstream counts.
@@ -80,6 +82,7 @@ impl UnitPlan {
             has_other,
             next: None,
             is_next: coarser > 0,
+            has_border: texture.border().is_some(),
             switches: Switches::new(&combine.color, &combine.alpha),
             arithmetic: Arithmetic::of(&combine.color, &combine.alpha, true),
             texture,
