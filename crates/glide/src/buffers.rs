@@ -80,7 +80,7 @@ impl Board {
     pub(crate) fn swap(&mut self, interval: u32) {
         // What was stored so far belongs to the buffer it was stored into.
         self.commit(self.screen());
-        self.device.flush(FlushReason::Swap);
+        self.device.submit(FlushReason::Swap);
         if let Some(buffers) = &mut self.buffers {
             buffers.colors.rotate_left(1);
             self.swaps += 1;
