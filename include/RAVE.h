@@ -6,7 +6,8 @@
  * The library draws into memory; what belongs to a window system takes an
  * untyped pointer and is refused. What the interface calls `long` is 32 bits
  * wide here on every host, pointers have the host's size, enumerations four
- * bytes. Pixels of 16 and 32 bits are integers of the host. Plain C89.
+ * bytes. Pixels of 16 and 32 bits are integers of the host; for data of another
+ * machine there is the variable FILLRATE_RAVE_BIG_ENDIAN. Plain C89.
  *
  *     cc -Iinclude program.c -o program -lrave
  *
@@ -119,6 +120,17 @@ typedef enum TQADeviceType {
     kQADeviceDDSurface = 3, /* refused */
     kQADeviceOffscreen = 4 /* extension: no memory of the program */
 } TQADeviceType;
+
+/* Which DirectDraw objects a device of that kind would name. */
+typedef enum TQADirectDrawObjectSelector {
+    kQADirectDrawObject = 1,
+    kQADirectDrawObject2 = 2
+} TQADirectDrawObjectSelector;
+
+typedef enum TQADirectDrawSurfaceSelector {
+    kQADirectDrawSurface = 1,
+    kQADirectDrawSurface2 = 2
+} TQADirectDrawSurfaceSelector;
 
 /* Memory of the program that is drawn into. */
 typedef struct TQADeviceMemory {

@@ -393,6 +393,10 @@ static void values_5(void)
     VALUE(kQADeviceGDevice, 1);
     VALUE(kQADeviceWin32DC, 2);
     VALUE(kQADeviceDDSurface, 3);
+    VALUE(kQADirectDrawObject, 1);
+    VALUE(kQADirectDrawObject2, 2);
+    VALUE(kQADirectDrawSurface, 1);
+    VALUE(kQADirectDrawSurface2, 2);
 }
 
 static void values_6(void)

@@ -9,6 +9,7 @@ use fillrate_rave::{BitmapId, Call, DrawContextId, PixelType, RaveRect, Reply, S
 use crate::draw::{context_number, on};
 use crate::layout::{PARAM_ERR, RawDrawContext, RawMemory, RawRect, RawZBuffer, value};
 use crate::manager::Who;
+use crate::order::Order;
 use crate::session::{Session, as_pointer, number_of, session};
 
 /// `kQAError`.
@@ -23,6 +24,7 @@ pub struct Staging {
     bits: u32,
     /// Bytes of a row.
     row: usize,
+    order: Order,
 }
 
 // SAFETY: the block is the staging's own.
@@ -36,14 +38,19 @@ impl Drop for Staging {
 }
 
 impl Staging {
-    fn new(bytes: Vec<u8>, [width, height]: [u32; 2], bits: u32, row: usize) -> Staging {
+    /// A copy of rows without padding, as calls carry them.
+    fn new(mut bytes: Vec<u8>, size: [u32; 2], bits: u32, order: Order) -> Staging {
+        order.turn(&mut bytes);
+        let [width, height] = size;
+        let row = bytes.len() / (height as usize).max(1);
         let block = Box::into_raw(bytes.into_boxed_slice());
-        Staging { block, width, height, bits, row }
+        Staging { block, width, height, bits, row, order }
     }
 
     fn of(shown: Shown) -> Staging {
-        let row = shown.pixel_type.row_bytes(shown.width);
-        Staging::new(shown.pixels, [shown.width, shown.height], shown.pixel_type.bits(), row)
+        let order = Order::of_buffers(shown.pixel_type);
+        let size = [shown.width, shown.height];
+        Staging::new(shown.pixels, size, shown.pixel_type.bits(), order)
     }
 
     fn base(&self) -> *mut u8 {
@@ -74,6 +81,7 @@ impl Staging {
                 unsafe { std::slice::from_raw_parts(self.base().add(y * self.row + first), count) };
             rows.extend_from_slice(row);
         }
+        self.order.turn(&mut rows);
         (rect, rows)
     }
 
@@ -157,14 +165,15 @@ pub unsafe extern "C" fn access_z_buffer(
         let Some(depths) = session.context.z_buffer(DrawContextId(number)) else { return ERROR };
         let row = depths.width as usize * depths.depth as usize / 8;
         let size = [depths.width, depths.height];
-        let staging = Staging::new(depths.elements, size, depths.depth, row);
+        let order = Order::of_depths(depths.depth);
+        let staging = Staging::new(depths.elements, size, depths.depth, order);
         let raw = RawZBuffer {
             width: size[0] as i32,
             height: size[1] as i32,
             row_bytes: row as i32,
             zbuffer: staging.base(),
             z_depth: depths.depth as i32,
-            is_big_endian: 0,
+            is_big_endian: order.is_big_endian().into(),
         };
         // SAFETY: the caller's promise.
         unsafe { write(buffer, raw) };
@@ -303,8 +312,11 @@ impl Session {
         };
         let (pixel_type, image) = opened.ok_or(ERROR)?;
         let (width, height) = (image.width as u32, image.height as u32);
-        let row = pixel_type.row_bytes(width);
-        let staging = Staging::new(image.pixels.to_vec(), [width, height], pixel_type.bits(), row);
+        // Pixels that the program gave may be followed by others.
+        let bytes = pixel_type.row_bytes(width) * height as usize;
+        let pixels = image.pixels[..bytes].to_vec();
+        let order = Order::of_pictures(pixel_type);
+        let staging = Staging::new(pixels, [width, height], pixel_type.bits(), order);
         let memory = staging.memory(pixel_type);
         self.accesses.insert((is_bitmap, number), staging);
         Ok(memory)

@@ -188,6 +188,8 @@ unsafe fn new_foreign(
 pub unsafe extern "C" fn QADrawContextDelete(context: *mut RawDrawContext) {
     guard((), || {
         let address = context as usize;
+        // SAFETY: no lock is held.
+        unsafe { render::show_late(context) };
         let mut locked = session();
         if let Some(known) = locked.contexts.remove(&address) {
             locked.call(&Call::DrawContextDelete { context: known.number });

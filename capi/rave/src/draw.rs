@@ -81,7 +81,7 @@ pub extern "C" fn get_ptr(context: *const RawDrawContext, tag: u32) -> *mut c_vo
 pub unsafe extern "C" fn draw_point(context: *const RawDrawContext, v: *const [f32; 8]) {
     on(context, (), |session, context| {
         // SAFETY: the caller's promise.
-        let Some(v) = (unsafe { value(v) }) else { return };
+        let Some(v) = (unsafe { value(v) }) else { return session.draw_nothing(context) };
         session.call(&Call::DrawPoint { context, v });
     });
 }
@@ -97,7 +97,9 @@ pub unsafe extern "C" fn draw_line(
 ) {
     on(context, (), |session, context| {
         // SAFETY: the caller's promise.
-        let (Some(a), Some(b)) = (unsafe { (value(a), value(b)) }) else { return };
+        let (Some(a), Some(b)) = (unsafe { (value(a), value(b)) }) else {
+            return session.draw_nothing(context);
+        };
         session.call(&Call::DrawLine { context, a, b });
     });
 }
@@ -116,9 +118,8 @@ pub unsafe extern "C" fn draw_tri_gouraud(
     on(context, (), |session, context| {
         // SAFETY: the caller's promise.
         let corners = unsafe { (value(a), value(b), value(c)) };
-        if let (Some(a), Some(b), Some(c)) = corners {
-            session.call(&Call::DrawTriGouraud { context, a, b, c, flags });
-        }
+        let (Some(a), Some(b), Some(c)) = corners else { return session.draw_nothing(context) };
+        session.call(&Call::DrawTriGouraud { context, a, b, c, flags });
     });
 }
 
@@ -138,11 +139,10 @@ pub unsafe extern "C" fn draw_tri_texture(
     on(context, (), |session, context| {
         // SAFETY: the caller's promise.
         let corners = unsafe { (value(a), value(b), value(c)) };
-        if let (Some(a), Some(b), Some(c)) = corners {
-            // SAFETY: the caller's promise.
-            unsafe { session.send_params(address) };
-            session.call(&Call::DrawTriTexture { context, a, b, c, flags });
-        }
+        let (Some(a), Some(b), Some(c)) = corners else { return session.draw_nothing(context) };
+        // SAFETY: the caller's promise.
+        unsafe { session.send_params(address) };
+        session.call(&Call::DrawTriTexture { context, a, b, c, flags });
     });
 }
 
@@ -151,6 +151,9 @@ pub unsafe extern "C" fn draw_tri_texture(
 /// # Safety
 /// `flags` is null or has as many as there are triangles.
 unsafe fn triangle_flags(flags: *const u32, count: u32, mode: u32) -> Option<Vec<u32>> {
+    if flags.is_null() {
+        return None;
+    }
     let triangles = match mode {
         constants::vertex_mode::TRI => count / 3,
         constants::vertex_mode::STRIP | constants::vertex_mode::FAN => count.saturating_sub(2),
@@ -173,7 +176,9 @@ pub unsafe extern "C" fn draw_v_gouraud(
 ) {
     on(context, (), |session, context| {
         // SAFETY: the caller's promise.
-        let Some(vertices) = (unsafe { values::<VGouraud>(vertices, count) }) else { return };
+        let Some(vertices) = (unsafe { values::<VGouraud>(vertices, count) }) else {
+            return session.draw_nothing(context);
+        };
         // SAFETY: the caller's promise.
         let flags = unsafe { triangle_flags(flags, count, mode) };
         session.call(&Call::DrawVGouraud { context, mode, vertices, flags });
@@ -194,7 +199,9 @@ pub unsafe extern "C" fn draw_v_texture(
     let address = context as usize;
     on(context, (), |session, context| {
         // SAFETY: the caller's promise.
-        let Some(vertices) = (unsafe { values::<VTexture>(vertices, count) }) else { return };
+        let Some(vertices) = (unsafe { values::<VTexture>(vertices, count) }) else {
+            return session.draw_nothing(context);
+        };
         // SAFETY: the caller's promise.
         let flags = unsafe { triangle_flags(flags, count, mode) };
         // SAFETY: the caller's promise.
@@ -214,7 +221,7 @@ pub unsafe extern "C" fn draw_bitmap(
 ) {
     on(context, (), |session, context| {
         // SAFETY: the caller's promise.
-        let Some(v) = (unsafe { value(v) }) else { return };
+        let Some(v) = (unsafe { value(v) }) else { return session.draw_nothing(context) };
         session.call(&Call::DrawBitmap { context, v, bitmap: number_of(bitmap) });
     });
 }
@@ -264,9 +271,9 @@ pub unsafe extern "C" fn draw_tri_mesh_gouraud(
             session.call(&Call::SubmitVerticesGouraud { context, vertices });
         }
         // SAFETY: the caller's promise.
-        if let Some(triangles) = unsafe { values::<IndexedTriangle>(triangles, count) } {
-            session.call(&Call::DrawTriMeshGouraud { context, triangles });
-        }
+        let triangles = unsafe { values::<IndexedTriangle>(triangles, count) };
+        let Some(triangles) = triangles else { return session.draw_nothing(context) };
+        session.call(&Call::DrawTriMeshGouraud { context, triangles });
     });
 }
 
@@ -290,9 +297,9 @@ pub unsafe extern "C" fn draw_tri_mesh_texture(
         // SAFETY: the caller's promise.
         unsafe { session.send_params(address) };
         // SAFETY: the caller's promise.
-        if let Some(triangles) = unsafe { values::<IndexedTriangle>(triangles, count) } {
-            session.call(&Call::DrawTriMeshTexture { context, triangles });
-        }
+        let triangles = unsafe { values::<IndexedTriangle>(triangles, count) };
+        let Some(triangles) = triangles else { return session.draw_nothing(context) };
+        session.call(&Call::DrawTriMeshTexture { context, triangles });
     });
 }
 
@@ -313,6 +320,13 @@ pub extern "C" fn submit_multi_texture_params(
 }
 
 impl Session {
+    /// What a drawing call without its vertices, or with too many of them, comes
+    /// to: a point that is nowhere, which is an error of the frame.
+    fn draw_nothing(&mut self, context: u32) {
+        let v = VGouraud { x: f32::NAN, ..VGouraud::default() };
+        self.call(&Call::DrawPoint { context, v });
+    }
+
     /// Tells the library of parameters of further textures that it does not know
     /// yet.
     ///

@@ -8,6 +8,8 @@ use fillrate_rave::{
     VTexture,
 };
 
+use crate::order::Order;
+
 /// Vertices, triangles and parameters that one call may hand over: more than any
 /// program sends, less than exhausts memory.
 pub const MAX_ELEMENTS: u32 = 1 << 22;
@@ -196,11 +198,15 @@ pub unsafe fn value<T: Raw>(pointer: *const T::Layout) -> Option<T> {
     unsafe { read(pointer) }.map(T::from_layout)
 }
 
-/// An array; `None` for null or more than [`MAX_ELEMENTS`].
+/// An array; `None` for null, unless nothing is in it, or for more than
+/// [`MAX_ELEMENTS`].
 ///
 /// # Safety
 /// `pointer` is null or points to `count` readable values.
 pub unsafe fn values<T: Raw>(pointer: *const T::Layout, count: u32) -> Option<Vec<T>> {
+    if count == 0 {
+        return Some(Vec::new());
+    }
     if pointer.is_null() || count > MAX_ELEMENTS {
         return None;
     }
@@ -235,6 +241,9 @@ pub unsafe fn image(pixel_type: u32, raw: &RawImage) -> ImageValue {
     for y in 0..height as usize {
         // SAFETY: the caller's promise.
         pixels.extend_from_slice(unsafe { bytes(raw.pixmap.add(y * stride), row) });
+    }
+    if let Some(kind) = PixelType::from_number(pixel_type) {
+        Order::of_pictures(kind).turn(&mut pixels);
     }
     ImageValue { pixels: pixels.into(), ..empty }
 }

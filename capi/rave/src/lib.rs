@@ -22,6 +22,7 @@ mod layout;
 mod manager;
 mod notice;
 mod object;
+mod order;
 mod render;
 mod session;
 mod settings;

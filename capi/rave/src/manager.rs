@@ -43,14 +43,17 @@ pub struct Entry {
 /// objects that they made, but are no longer listed.
 pub struct Engines {
     entries: Vec<Entry>,
+    /// Vendor and number of the one that the user wants first.
+    preferred: Option<(u32, u32)>,
 }
 
 impl Engines {
     /// The built-in engine alone, with vendor, number and revision.
-    pub fn new([vendor, engine, revision]: [u32; 3]) -> Engines {
+    pub fn new([vendor, engine, revision]: [u32; 3], preferred: Option<(u32, u32)>) -> Engines {
         let number = EngineId::BUILT_IN.0;
         let who = Who::BuiltIn;
-        Engines { entries: vec![Entry { number, who, vendor, engine, revision, is_enabled: true }] }
+        let built_in = Entry { number, who, vendor, engine, revision, is_enabled: true };
+        Engines { entries: vec![built_in], preferred }
     }
 
     /// An engine by what programs know it by.
@@ -65,10 +68,10 @@ impl Engines {
         if self.entries.len() >= MAX_ENGINES {
             return ERROR;
         }
-        for entry in self.entries.iter_mut().filter(|entry| same(entry) && entry.is_enabled) {
-            if entry.revision >= revision {
-                return OUT_OF_DATE;
-            }
+        if self.entries.iter_mut().any(|entry| same(&entry) && entry.revision >= revision) {
+            return OUT_OF_DATE;
+        }
+        for entry in self.entries.iter_mut().filter(same) {
             entry.is_enabled = false;
         }
         let number = self.entries.len() as u32 + EngineId::BUILT_IN.0;
@@ -84,9 +87,12 @@ impl Engines {
         found.map(|entry| entry.is_enabled = is_enabled).is_some()
     }
 
-    fn listed(&self) -> Vec<(u32, Who)> {
+    /// Numbers of those that are enabled, who they are, and whether the user wants
+    /// them first.
+    fn listed(&self) -> Vec<(u32, Who, bool)> {
         let enabled = self.entries.iter().filter(|entry| entry.is_enabled);
-        enabled.map(|entry| (entry.number, entry.who)).collect()
+        let is_preferred = |entry: &Entry| self.preferred == Some((entry.vendor, entry.engine));
+        enabled.map(|entry| (entry.number, entry.who, is_preferred(entry))).collect()
     }
 }
 
@@ -121,15 +127,15 @@ unsafe fn check_device(who: Who, device: *const RawDevice) -> i32 {
     }
 }
 
-/// Engines for a device, best first: those bound to it, then by the number of
-/// things they are fast at, then by age.
+/// Engines for a device, best first: the user's choice, those bound to it, then by
+/// the number of things they are fast at, then by age.
 ///
 /// # Safety
 /// `device` is null or points to a device.
 unsafe fn engines_for(device: *const RawDevice) -> Vec<u32> {
     let listed = session().engines.listed();
-    let mut found: Vec<(bool, u32, u32)> = Vec::new();
-    for (number, who) in listed {
+    let mut found: Vec<([bool; 2], u32, u32)> = Vec::new();
+    for (number, who, is_preferred) in listed {
         // SAFETY: the caller's promise.
         if !device.is_null() && unsafe { check_device(who, device) } != 0 {
             continue;
@@ -141,7 +147,7 @@ unsafe fn engines_for(device: *const RawDevice) -> Vec<u32> {
         let binds = ask(selector::OPTIONAL_FEATURES) & optional::BOUND_TO_DEVICE != 0;
         let comes_later = device.is_null() || !binds;
         let fast = ask(selector::FAST_FEATURES).count_ones();
-        found.push((comes_later, 32 - fast, number));
+        found.push(([!is_preferred, comes_later], 32 - fast, number));
     }
     found.sort_unstable();
     found.into_iter().map(|(_, _, number)| number).collect()

@@ -8,6 +8,8 @@ use fillrate_rave::{Call, DrawContextId, RaveRect, constants};
 use crate::layout::{
     Method, PARAM_ERR, RawDevice, RawDrawContext, RawGlobalRect, RawMemory, RawRect,
 };
+use crate::order::Order;
+use crate::render::show_what_is_drawn;
 use crate::session::session;
 
 /// A function of the program and what it is called with.
@@ -118,12 +120,12 @@ pub unsafe fn deliver() {
             let mut contexts = session.contexts.iter();
             contexts.find(|(_, known)| known.number == id.0).map(|(&address, _)| address)
         };
-        if let Some(address) = address {
-            // SAFETY: a context of ours; no lock is held.
-            unsafe {
-                standard(address as *const RawDrawContext, constants::notice::RENDER_COMPLETION);
-            }
-        }
+        let Some(address) = address else { continue };
+        let context = address as *const RawDrawContext;
+        // SAFETY: no lock is held.
+        unsafe { show_what_is_drawn(context, false) };
+        // SAFETY: a context of ours; no lock is held.
+        unsafe { standard(context, constants::notice::RENDER_COMPLETION) };
     }
 }
 
@@ -143,6 +145,8 @@ pub unsafe fn buffer(context: *const RawDrawContext, selector: u32, dirty: Optio
     };
     let all = RaveRect::new(0, 0, before.width as i32, before.height as i32);
     let mut pixels = before.pixels.clone();
+    let order = Order::of_buffers(before.pixel_type);
+    order.turn(&mut pixels);
     let memory = RawMemory {
         row_bytes: before.pixel_type.row_bytes(before.width) as i32,
         pixel_type: before.pixel_type.number(),
@@ -156,6 +160,7 @@ pub unsafe fn buffer(context: *const RawDrawContext, selector: u32, dirty: Optio
     let method: Buffer = unsafe { std::mem::transmute(notice.method) };
     // SAFETY: the buffer is as the device says.
     unsafe { method(context, &device, &dirty, notice.ref_con) };
+    order.turn(&mut pixels);
     let pixels = if pixels == before.pixels { Vec::new() } else { pixels };
     let pixels = pixels.into();
     session().call(&Call::AccessDrawBufferEnd { context: number, rect: all, pixels });

@@ -8,6 +8,7 @@ use fillrate_rave::{Call, ImageValue, constants};
 use crate::access::hand_out;
 use crate::layout::{PARAM_ERR, RawImage, image, image_chain};
 use crate::manager::Who;
+use crate::order::Order;
 use crate::session::{LentPicture, Session, number_of, session};
 
 /// `kQAError`.
@@ -277,12 +278,8 @@ pub unsafe extern "C" fn QAColorTableNew(
                     _ => return PARAM_ERR,
                 };
                 // SAFETY: the caller's promise.
-                let entries = unsafe { bytes(data.cast(), 4 * count) };
-                // Entries are integers of the host, and cross with the low byte first.
-                let entries: Vec<u8> = entries
-                    .chunks_exact(4)
-                    .flat_map(|b| u32::from_ne_bytes([b[0], b[1], b[2], b[3]]).to_le_bytes())
-                    .collect();
+                let mut entries = unsafe { bytes(data.cast(), 4 * count) }.to_vec();
+                Order::of_tables().turn(&mut entries);
                 let call = Call::ColorTableNew {
                     engine: number_of(engine),
                     table_type,

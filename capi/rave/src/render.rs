@@ -6,6 +6,7 @@ use fillrate_rave::{Call, DrawContextId, PixelType, RaveRect, constants, tags};
 use crate::draw::{context_number, on};
 use crate::layout::{PARAM_ERR, RawDrawContext, RawMemory, RawRect, value};
 use crate::notice;
+use crate::order::Order;
 use crate::session::{Session, session};
 
 /// `kQAError`.
@@ -22,6 +23,8 @@ pub unsafe extern "C" fn render_start(
 ) {
     // SAFETY: the caller's promise.
     let dirty = unsafe { value::<RaveRect>(dirty) };
+    // SAFETY: no lock is held.
+    guard((), || unsafe { notice::deliver() });
     let is_ours = on(context, false, |session, number| {
         // SAFETY: what the program lends can be read.
         unsafe { session.send_lent_pictures() };
@@ -48,13 +51,18 @@ pub unsafe extern "C" fn render_end(
         // SAFETY: the caller's promise.
         let modified = unsafe { value::<RaveRect>(modified) };
         let Some(number) = on(context, None, |_, number| Some(number)) else { return PARAM_ERR };
+        // SAFETY: no lock is held.
+        unsafe { show_late(context) };
         let selector = constants::notice::IMAGE_BUFFER_2D_COMPOSITE;
         // SAFETY: the context is ours, and no lock is held.
         unsafe { notice::buffer(context, selector, modified) };
         session().send_window(context);
         let status = session().call(&Call::RenderEnd { context: number, modified }).number();
-        // SAFETY: as above.
-        unsafe { show(context, true) };
+        let is_late = session().is_shown_late(context);
+        if !is_late {
+            // SAFETY: as above.
+            unsafe { show(context, true) };
+        }
         // SAFETY: as above.
         unsafe { notice::deliver() };
         status
@@ -63,6 +71,8 @@ pub unsafe extern "C" fn render_end(
 
 /// `QARenderAbort`.
 pub extern "C" fn render_abort(context: *const RawDrawContext) -> i32 {
+    // SAFETY: no lock is held.
+    guard((), || unsafe { show_late(context) });
     on(context, PARAM_ERR, |session, context| session.call(&Call::RenderAbort { context }).number())
 }
 
@@ -76,6 +86,8 @@ fn call_and_show(
         let status = on(context, PARAM_ERR, |session, number| session.call(&call(number)).number());
         // SAFETY: no lock is held.
         unsafe { show(context, is_frame) };
+        // SAFETY: as above.
+        unsafe { notice::deliver() };
         status
     })
 }
@@ -100,12 +112,16 @@ pub unsafe extern "C" fn swap_buffers(
 ) -> i32 {
     // SAFETY: the caller's promise.
     let dirty = unsafe { value::<RaveRect>(dirty) };
+    // SAFETY: no lock is held.
+    guard((), || unsafe { show_late(context) });
     on(context, (), |session, _| session.send_window(context));
     call_and_show(context, true, |context| Call::SwapBuffers { context, dirty })
 }
 
 /// `QABusy`.
 pub extern "C" fn busy(context: *const RawDrawContext) -> u8 {
+    // SAFETY: no lock is held.
+    guard((), || unsafe { notice::deliver() });
     on(context, 0, |session, context| session.call(&Call::Busy { context }).number() as u8)
 }
 
@@ -118,7 +134,8 @@ impl Session {
         if self.context.get_int(DrawContextId(number), tags::int::BUFFER_COMPOSITE) == 0 {
             return;
         }
-        let Some(row) = row_of(&device, &rect) else { return };
+        let Some(kind) = PixelType::from_number(device.pixel_type) else { return };
+        let row = kind.row_bytes(rect.width());
         let mut pixels = Vec::with_capacity(row * rect.height() as usize);
         for y in rect.top..rect.bottom {
             let Some(at) = place(&device, rect.left, y) else { return };
@@ -126,34 +143,65 @@ impl Session {
             // the library refused rectangles beyond it.
             pixels.extend_from_slice(unsafe { std::slice::from_raw_parts(at, row) });
         }
+        Order::of_buffers(kind).turn(&mut pixels);
         self.call(&Call::WindowContents { context: number, pixels: pixels.into() });
     }
 }
 
-/// Copies what became visible into the program's memory, within the clip; a
-/// frame is noted.
+/// Shows a context's frame that is drawn behind the program's back, if there is
+/// one, and tells of it. Waits for it.
+///
+/// # Safety
+/// As [`show`].
+pub unsafe fn show_late(context: *const RawDrawContext) {
+    if on(context, false, |session, _| session.has_late_frame(context)) {
+        // SAFETY: the caller's promise.
+        unsafe { show(context, false) };
+        // SAFETY: as above.
+        unsafe { notice::deliver() };
+    }
+}
+
+/// Waits for what was drawn and copies what became visible into the program's
+/// memory. Nothing waits for contexts that show nothing to the program.
 ///
 /// # Safety
 /// No lock is held, and the device's memory is as the program described it.
 unsafe fn show(context: *const RawDrawContext, is_frame: bool) {
-    let changed = on(context, None, |session, number| {
-        let id = DrawContextId(number);
-        // When the call returns, the program's memory holds what is shown.
-        session.context.shown_by(id)?;
-        session.context.take_changed(id)
+    let is_seen = on(context, false, |session, _| {
+        let is_seen = session.is_seen(context);
+        if is_seen {
+            session.context.finish();
+        }
+        is_seen
     });
-    let Some(area) = changed else { return };
-    let screen = {
-        let session = session();
-        let Some(known) = session.contexts.get(&(context as usize)) else { return };
-        (!known.is_cache).then(|| on_device(&known.rect, &area))
-    };
-    let Some(on_device) = screen else { return };
-    // SAFETY: no lock is held.
-    unsafe { notice::about_to_draw(on_device) };
+    if is_seen {
+        // SAFETY: the caller's promise.
+        unsafe { show_what_is_drawn(context, is_frame) };
+    }
+}
+
+/// Copies what became visible so far into the program's memory, within the clip;
+/// a frame is noted.
+///
+/// # Safety
+/// As [`show`].
+pub unsafe fn show_what_is_drawn(context: *const RawDrawContext, is_frame: bool) {
+    let shown = on(context, None, |session, number| {
+        let area = session.context.take_changed(DrawContextId(number))?;
+        let known = session.contexts.get_mut(&(context as usize))?;
+        let is_frame = is_frame || std::mem::take(&mut known.has_late_frame);
+        let area = on_device(&known.rect, &area);
+        (!known.is_cache).then_some((area, is_frame, known.device.is_some()))
+    });
+    let Some((area, is_frame, has_memory)) = shown else { return };
+    if has_memory {
+        // SAFETY: no lock is held.
+        unsafe { notice::about_to_draw(area) };
+    }
     on(context, (), |session, number| {
         // SAFETY: the caller's promise.
-        let screen = unsafe { session.copy_out(context, &on_device) };
+        let screen = unsafe { session.copy_out(context, &area) };
         if is_frame && let Some(screen) = screen {
             session.frame_shown(number, screen);
         }
@@ -172,6 +220,26 @@ fn on_device(rect: &RaveRect, area: &RaveRect) -> RaveRect {
 }
 
 impl Session {
+    /// Whether the program, or whoever watches it, sees what a context shows.
+    fn is_seen(&self, context: *const RawDrawContext) -> bool {
+        let known = self.contexts.get(&(context as usize));
+        known.is_some_and(|known| known.device.is_some() || self.is_watched())
+    }
+
+    /// Whether the frame that just ended is shown once it is drawn, and not now.
+    fn is_shown_late(&mut self, context: *const RawDrawContext) -> bool {
+        let is_late = self.late_frames;
+        if is_late && let Some(known) = self.contexts.get_mut(&(context as usize)) {
+            known.has_late_frame = true;
+        }
+        is_late
+    }
+
+    /// Whether a frame of a context is still to be shown.
+    fn has_late_frame(&self, context: *const RawDrawContext) -> bool {
+        self.contexts.get(&(context as usize)).is_some_and(|known| known.has_late_frame)
+    }
+
     /// Copies an area of the device into the program's memory. Returns the
     /// context's screen.
     ///
@@ -185,7 +253,8 @@ impl Session {
     ) -> Option<usize> {
         let known = self.contexts.get(&(context as usize))?;
         let Some(device) = known.device else { return Some(known.screen) };
-        let shown = self.context.shown_by(DrawContextId(known.number))?;
+        let mut shown = self.context.shown_so_far(DrawContextId(known.number))?;
+        Order::of_buffers(shown.pixel_type).turn(&mut shown.pixels);
         let bytes = shown.pixel_type.bits() as usize / 8;
         let row = shown.pixel_type.row_bytes(shown.width);
         let whole = [*area];
@@ -206,12 +275,6 @@ impl Session {
         }
         Some(known.screen)
     }
-}
-
-/// Bytes of a row of the rectangle.
-fn row_of(device: &RawMemory, rect: &RaveRect) -> Option<usize> {
-    let kind = PixelType::from_number(device.pixel_type)?;
-    Some(kind.row_bytes(rect.width()))
 }
 
 /// A pixel of the device in the program's memory.

@@ -46,7 +46,9 @@ impl<T: Raw + PartialEq> Lent<T> {
     /// The array is as it was submitted.
     pub unsafe fn news(&mut self) -> Option<Vec<T>> {
         // SAFETY: the caller's promise.
-        let now = unsafe { values(self.pointer as *const T::Layout, self.count) }?;
+        let now = unsafe { values(self.pointer as *const T::Layout, self.count) };
+        // What cannot be read holds no vertices.
+        let now = now.unwrap_or_default();
         if self.sent.as_ref() == Some(&now) {
             return None;
         }
@@ -70,6 +72,8 @@ pub struct Known {
     pub is_cache: bool,
     /// Which of the process's screens it is, for pictures of frames.
     pub screen: usize,
+    /// A frame that ended is not in the program's memory yet.
+    pub has_late_frame: bool,
     pub notices: [Notice; 5],
     pub gouraud: Lent<VGouraud>,
     pub texture: Lent<VTexture>,
@@ -110,6 +114,8 @@ pub struct Session {
     capture: Option<FrameLog>,
     exit_after: Option<u64>,
     frames: u64,
+    /// RenderEnd does not wait for the frame.
+    pub late_frames: bool,
     pub engines: Engines,
     pub contexts: HashMap<usize, Known>,
     pub foreign: HashMap<usize, Foreign>,
@@ -155,13 +161,14 @@ impl Session {
             _ => 0,
         };
         let identity = [selector::VENDOR_ID, selector::ENGINE_ID, selector::REVISION];
-        let engines = Engines::new(identity.map(&mut ask));
+        let engines = Engines::new(identity.map(&mut ask), crate::settings::preferred_engine());
         Session {
             context,
             recorder,
             capture,
             exit_after: settings.exit_after,
             frames: 0,
+            late_frames: crate::settings::late_frames(),
             engines,
             contexts: HashMap::new(),
             foreign: HashMap::new(),
@@ -190,6 +197,11 @@ impl Session {
             shown.any(|known| known.screen == *n)
         };
         (0..).find(|n| !is_taken(n)).unwrap_or(0)
+    }
+
+    /// Whether somebody besides the program looks at frames.
+    pub fn is_watched(&self) -> bool {
+        self.capture.is_some() || self.recorder.is_some() || self.exit_after.is_some()
     }
 
     /// Hands a frame of a context to whoever wants it. Ends the program where it
@@ -225,8 +237,20 @@ impl Session {
         }
     }
 
-    /// Ends the trace for good.
+    /// Ends the trace for good. Frames that nobody waited for are noted.
     fn end(&mut self) {
+        let late = self.contexts.values_mut().filter(|known| known.has_late_frame);
+        let late: Vec<_> = late
+            .map(|known| {
+                known.has_late_frame = false;
+                (known.number, known.screen)
+            })
+            .collect();
+        for (number, screen) in late {
+            if self.is_watched() {
+                self.note_frame(number, screen);
+            }
+        }
         if let Some(recorder) = self.recorder.take()
             && let Err(error) = recorder.finish()
         {

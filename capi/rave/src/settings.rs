@@ -35,7 +35,34 @@ pub fn apply(config: &mut RaveConfig) {
     if let Some(apple) = variable("FILLRATE_RAVE_APPLE", number) {
         config.as_apple_software = apple != 0;
     }
-    if let Some(asynchronous) = variable("FILLRATE_RAVE_ASYNCHRONOUS", number) {
+    if let Some(asynchronous) = asynchronous() {
         config.asynchronous = asynchronous != 0;
     }
+}
+
+/// 0: drawing is done in the calls. 1: behind the program's back, up to the end of
+/// a frame. 2: beyond it.
+fn asynchronous() -> Option<u64> {
+    variable("FILLRATE_RAVE_ASYNCHRONOUS", |text| match number(text)? {
+        known @ 0..=2 => Ok(known),
+        _ => Err("it may be 0, 1 or 2".into()),
+    })
+}
+
+/// Whether a frame's end does not wait for the frame.
+pub fn late_frames() -> bool {
+    asynchronous() == Some(2)
+}
+
+/// Vendor and number of the engine that the user wants before all others.
+pub fn preferred_engine() -> Option<(u32, u32)> {
+    variable("FILLRATE_RAVE_ENGINE", |text| {
+        let numbers = text.split_once(':').map(|(a, b)| (a.trim().parse(), b.trim().parse()));
+        match numbers {
+            Some((Ok::<i32, _>(vendor), Ok::<i32, _>(engine))) => {
+                Ok((vendor as u32, engine as u32))
+            }
+            _ => Err("it is not VENDOR:ENGINE".into()),
+        }
+    })
 }

@@ -274,10 +274,11 @@ pub extern "C" fn V_UnlockBuffer(device: Opaque, group: Opaque, buffer: u32) -> 
         let (owner, address) = session.buffer(group, buffer, routine, |_, known, owner| {
             Some((owner, known.address(buffer)?))
         })?;
-        let same = |l: &&mut Lock| (l.owner, l.address) == (owner, address) && l.is_held();
-        let lock = session.locks.iter_mut().find(same);
-        let lock = lock.ok_or(Failure::v(routine, VError::InvalidBuffer))?;
-        let Some(changes) = lock.unlock() else { return Ok(()) };
+        let same = |l: &Lock| (l.owner, l.address) == (owner, address) && l.is_held();
+        let at = session.locks.iter().position(same);
+        let at = at.ok_or(Failure::v(routine, VError::InvalidBuffer))?;
+        session.show_lock(at);
+        let Some(changes) = session.locks[at].unlock() else { return Ok(()) };
         let call = |device, group| Call::UnlockBuffer { device, group, buffer, changes };
         session.on_group(device, group, routine, call).map(|_| ())
     })

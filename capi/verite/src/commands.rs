@@ -8,7 +8,7 @@ use fillrate_redline::{
     Call, CommandBuffer, CommandSink, DmaBlock, Failure, Port, VError, VRoutine, add_to_dma_list,
 };
 
-use crate::errors::{quiet, v, value};
+use crate::errors::{quiet, state, v, value};
 use crate::handle::{Kind, Opaque, handle, number};
 use crate::host_memory::block;
 use crate::session::{Buffer, device_handle};
@@ -69,18 +69,21 @@ pub extern "C" fn V_IssueCmdBufferAsync(device: Opaque, buffer: Opaque) -> c_int
     issue(device, buffer, VRoutine::IssueCmdBufferAsync, false)
 }
 
-/// `V_CMDBUFFER_INUSE` or `V_CMDBUFFER_AVAIL`. Recordings leave it out: it
-/// depends on time and changes nothing.
+/// `V_CMDBUFFER_INUSE` or `V_CMDBUFFER_AVAIL`; `V_VERITE_COMMAND_ERR` once for
+/// a buffer that is done and lost commands. Recordings leave it out: it depends
+/// on time and changes nothing.
 #[unsafe(no_mangle)]
 pub extern "C" fn V_QueryCmdBuffer(device: Opaque, buffer: Opaque) -> u32 {
     let failed = Failure::v(VRoutine::QueryCmdBuffer, VError::ParamError);
-    value(device, VError::ParamError.number() as u32, |session| {
+    state(device, |session| {
         let slot = number(Kind::CmdBuffer, buffer).ok_or(failed)?;
         let known = session.buffers.get(slot).ok_or(failed)?;
         let call = Call::QueryCmdBuffer { device: known.device, buffer: known.commands.id() };
         let in_use = session.context.execute(&call)?.number() != 0;
-        let state = if in_use { VError::CmdBufferInUse } else { VError::CmdBufferAvail };
-        Ok(state.number() as u32)
+        if !in_use {
+            session.show_locked();
+        }
+        Ok(if in_use { VError::CmdBufferInUse } else { VError::CmdBufferAvail })
     })
 }
 

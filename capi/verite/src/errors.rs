@@ -76,6 +76,15 @@ pub(crate) fn value<T: Copy>(
     })
 }
 
+/// Runs a call of the lower layer that returns a state, or a failure's code.
+pub(crate) fn state(device: Opaque, body: impl FnOnce(&mut Session) -> Result<VError>) -> u32 {
+    let number = guard(VError::Failed.number(), || {
+        let result = body(&mut session());
+        result.map_or_else(|failure| report(device, &failure), VError::number)
+    });
+    number as u32
+}
+
 /// Runs a call that returns a value and never fails aloud.
 pub(crate) fn quiet<T: Copy>(fallback: T, body: impl FnOnce(&mut Session) -> Option<T>) -> T {
     guard(fallback, || body(&mut session()).unwrap_or(fallback))

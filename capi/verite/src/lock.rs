@@ -1,4 +1,11 @@
-//! Locked buffers: the copy that a program reads and writes.
+//! Locked buffers: the memory that a program reads and writes.
+//!
+//! On a board this is the buffer itself. Here it is kept equal to the buffer at
+//! the points where the library can see, and a program can tell, that something
+//! happened: what was stored is carried out before the next call that goes to
+//! the device, issues among them; what was drawn is shown when a call returns
+//! that waits for the board or says that it is done. A byte that both changed in
+//! between keeps the program's value.
 
 use fillrate_call::Data;
 use fillrate_redline::lock::changes;
@@ -11,7 +18,10 @@ pub(crate) struct Lock {
     pub owner: (u32, u32),
     /// The buffer's board address.
     pub address: u32,
+    /// The buffer may have changed since it was shown.
+    pub stale: bool,
     bytes: Vec<u32>,
+    /// What was shown, or has been carried out.
     before: Vec<u8>,
     /// How many times it is locked.
     count: u32,
@@ -20,7 +30,7 @@ pub(crate) struct Lock {
 impl Lock {
     /// Room for a buffer.
     pub fn new(owner: (u32, u32), address: u32) -> Lock {
-        Lock { owner, address, bytes: Vec::new(), before: Vec::new(), count: 0 }
+        Lock { owner, address, stale: false, bytes: Vec::new(), before: Vec::new(), count: 0 }
     }
 
     /// Whether the program holds it.
@@ -34,6 +44,7 @@ impl Lock {
     pub fn lock(&mut self, room: usize, now: impl FnOnce() -> Vec<u8>) -> *mut u8 {
         if self.count == 0 {
             self.before = now();
+            self.stale = false;
             let words = self.before.len().max(room).div_ceil(4);
             if self.bytes.len() < words {
                 self.bytes.resize(words, 0);
@@ -46,6 +57,38 @@ impl Lock {
         }
         self.count += 1;
         self.bytes.as_mut_ptr().cast()
+    }
+
+    /// Whether the program holds it and has stored something that was not
+    /// carried out yet.
+    pub fn is_changed(&self) -> bool {
+        self.is_held() && self.view() != self.before
+    }
+
+    /// What the program has stored since the last time.
+    pub fn take_changes(&mut self) -> Data {
+        let changes = changes(&self.before, self.view());
+        self.before = self.view().to_vec();
+        changes
+    }
+
+    /// Shows what the buffer holds now, but where the program has stored
+    /// something else meanwhile.
+    pub fn show(&mut self, now: &[u8]) {
+        self.stale = false;
+        if now.len() != self.before.len() {
+            return;
+        }
+        let count = self.before.len();
+        // SAFETY: words are bytes, and there are enough of them.
+        let shown =
+            unsafe { std::slice::from_raw_parts_mut(self.bytes.as_mut_ptr().cast::<u8>(), count) };
+        for ((shown, before), &now) in shown.iter_mut().zip(&mut self.before).zip(now) {
+            if *shown == *before {
+                *shown = now;
+            }
+            *before = now;
+        }
     }
 
     /// Gives it back once; what was changed, the last time.
@@ -82,7 +125,26 @@ mod tests {
         assert!(lock.unlock().is_none());
         let changed = lock.unlock().unwrap();
         assert_eq!(fillrate_redline::lock::runs(&changed).collect::<Vec<_>>(), [(6, &[70][..])]);
-        assert!(!lock.is_held());
+        assert!(!lock.is_held() && !lock.is_changed());
         assert_eq!(lock.board_address(pointer.addr()), None);
+    }
+
+    /// Between two calls the program and the board change bytes of their own.
+    #[test]
+    fn a_held_lock_shows_what_is_drawn() {
+        let mut lock = Lock::new((1, 1), 0);
+        let pointer = lock.lock(4, || vec![0; 4]);
+        // SAFETY: four bytes are there.
+        unsafe { pointer.add(1).write(10) };
+        assert!(lock.is_changed());
+        lock.show(&[7, 8, 9, 0]);
+        assert_eq!(lock.view(), [7, 10, 9, 0]);
+        let changed = lock.take_changes();
+        assert_eq!(fillrate_redline::lock::runs(&changed).collect::<Vec<_>>(), [(1, &[10][..])]);
+        assert!(!lock.is_changed());
+        // What was drawn over it is shown.
+        lock.show(&[7, 11, 9, 0]);
+        assert_eq!(lock.view(), [7, 11, 9, 0]);
+        assert!(lock.unlock().unwrap().is_empty());
     }
 }

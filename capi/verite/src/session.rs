@@ -7,9 +7,10 @@ use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 use fillrate_capture::{Drawn, FrameLog, Recorder};
 use fillrate_guard::guard;
 use fillrate_player::{Frame, Pixels};
+use fillrate_redline::command::stream_words;
 use fillrate_redline::{
-    BufferGroup, Call, CommandBuffer, Context, Failure, RedlineConfig, Reply, Result, Shown,
-    VError, VRoutine,
+    BufferGroup, Call, CommandBuffer, Context, Failure, RedlineConfig, Reply, Result, Segment,
+    Shown, VError, VRoutine, stream,
 };
 use fillrate_settings::Settings;
 use fillrate_trace::meta::CONFIG_PREFIX;
@@ -115,8 +116,73 @@ impl Session {
         }
     }
 
-    /// Records a call and carries it out.
+    /// Records a call and carries it out. What the program has stored in locked
+    /// buffers is carried out before; what was drawn is shown in them after
+    /// calls that wait for the board.
     pub fn call(&mut self, call: &Call) -> Result<Reply> {
+        self.store_locked();
+        let result = self.carry_out(call);
+        match call {
+            Call::IssueCmdBuffer { wait, .. } => {
+                self.locks.iter_mut().for_each(|lock| lock.stale = true);
+                if *wait {
+                    self.show_locked();
+                }
+            }
+            Call::UnlockBuffer { .. } | Call::BltDisplayBuffer { .. } => {
+                self.locks.iter_mut().for_each(|lock| lock.stale = true);
+                self.show_locked();
+            }
+            Call::LockBuffer { .. } | Call::ReadBuffer { .. } | Call::DestroyCmdBuffer { .. } => {
+                self.show_locked();
+            }
+            _ => {}
+        }
+        result
+    }
+
+    /// Carries out what the program has stored in buffers that it holds.
+    fn store_locked(&mut self) {
+        for at in 0..self.locks.len() {
+            if !self.locks[at].is_changed() {
+                continue;
+            }
+            self.show_lock(at);
+            let changes = self.locks[at].take_changes();
+            let Some((device, group, buffer)) = self.locked_buffer(at) else { continue };
+            // Stores to a buffer that is lost go nowhere.
+            let _ = self.carry_out(&Call::StoreBuffer { device, group, buffer, changes });
+            let others = self.locks.iter_mut().enumerate().filter(|(other, _)| *other != at);
+            others.for_each(|(_, lock)| lock.stale = true);
+        }
+    }
+
+    /// Shows in all buffers that the program holds what was drawn, once all
+    /// that was issued is done.
+    pub fn show_locked(&mut self) {
+        (0..self.locks.len()).for_each(|at| self.show_lock(at));
+    }
+
+    /// Shows what was drawn in a buffer that the program holds.
+    pub fn show_lock(&mut self, at: usize) {
+        if !self.locks[at].is_held() || !self.locks[at].stale {
+            return;
+        }
+        let Some((device, group, buffer)) = self.locked_buffer(at) else { return };
+        if let Ok(bytes) = self.context.execute(&Call::LockBuffer { device, group, buffer }) {
+            self.locks[at].show(&bytes.into_bytes());
+        }
+    }
+
+    /// Device, group and present number of a locked buffer.
+    fn locked_buffer(&self, at: usize) -> Option<(u32, u32, u32)> {
+        let Lock { owner: (device, group), address, .. } = self.locks[at];
+        let known = self.context.group(device, group)?;
+        let buffer = known.addresses.iter().position(|&own| own == address)?;
+        Some((device, group, buffer as u32))
+    }
+
+    fn carry_out(&mut self, call: &Call) -> Result<Reply> {
         if let Some(recorder) = &mut self.recorder
             && let Err(error) = recorder.record(call)
         {
@@ -178,12 +244,36 @@ impl Session {
         }
         let segments = buffer.commands.snapshot(memories);
         buffer.commands.reset();
-        let call = Call::IssueCmdBuffer {
-            device: buffer.device,
-            buffer: buffer.commands.id(),
-            segments: segments.map_err(failed)?,
-            wait,
-        };
+        let to = (buffer.device, buffer.commands.id());
+        let segments = segments.map_err(failed)?;
+        let watched =
+            self.capture.is_some() || self.recorder.is_some() || self.exit_after.is_some();
+        if watched && let Some(parts) = self.in_frames(&segments) {
+            // All are carried out, whatever becomes of one.
+            let mut result = Ok(());
+            for part in parts {
+                result = result.and(self.issue_segments(to, vec![part], wait));
+            }
+            return result;
+        }
+        self.issue_segments(to, segments, wait)
+    }
+
+    /// Parts that show a frame each, of a valid stream that shows several.
+    fn in_frames(&self, segments: &[Segment]) -> Option<Vec<Segment>> {
+        let chip = self.context.config().chip;
+        let words = stream_words(segments);
+        let several = stream::switches(&words, chip).is_ok_and(|switches| switches > 1);
+        several.then(|| stream::frames(&words, chip).into_iter().map(Segment::of).collect())
+    }
+
+    fn issue_segments(
+        &mut self,
+        (device, buffer): (u32, u32),
+        segments: Vec<Segment>,
+        wait: bool,
+    ) -> Result<()> {
+        let call = Call::IssueCmdBuffer { device, buffer, segments, wait };
         if self.call(&call)?.number() > 0 {
             self.frame_shown();
         }

@@ -437,6 +437,18 @@ impl Context {
         Some(Shown::new(front.width, front.height, context.pixel_type, &front.elements))
     }
 
+    /// What a context shows of what is drawn already; it does not wait.
+    pub fn shown_so_far(&self, context: DrawContextId) -> Option<Shown> {
+        let context = self.contexts.get(&context.0)?;
+        let front = context.front();
+        Some(Shown::new(front.width, front.height, context.pixel_type, &front.elements))
+    }
+
+    /// Waits until everything is drawn.
+    pub fn finish(&mut self) {
+        self.sync_quietly();
+    }
+
     /// The part of a context's picture that changed since this was asked last,
     /// among what is drawn already; `None` where nothing did.
     pub fn take_changed(&mut self, context: DrawContextId) -> Option<RaveRect> {

@@ -107,6 +107,9 @@ value_enum! {
         80 => SetWindow { device: u32, window: Option<Rect> },
         /// Another program took the screen: all buffers are lost.
         81 => LoseBuffers { device: u32 },
+        /// Stores through the pointer of a lock that is still held; the bytes
+        /// that changed, as for `UnlockBuffer`.
+        82 => StoreBuffer { device: u32, group: u32, buffer: u32, changes: Data },
     }
 }
 

@@ -46,10 +46,10 @@ impl RedlineConfig {
     /// The desktop as far as a board can show it: its pitch is one of the
     /// chip's, and it leaves a mebibyte of memory.
     pub fn desktop_size(&self) -> (u32, u32) {
-        let width = self.desktop.0.clamp(1, self.chip.max_pitch() / 2).min(2048);
+        let width = self.desktop.0.clamp(1, self.chip.max_pitch() / 2);
         let pitch = self.chip.stride(width * 2).map_or(1, |code| self.chip.linebytes(code));
         let rows = (self.memory_bytes() - (1 << 20)) / pitch;
-        (width, self.desktop.1.clamp(1, rows.min(2048)))
+        (width, self.desktop.1.clamp(1, rows))
     }
 
     /// What pictures depend on, as names and values for a recording.
@@ -107,6 +107,6 @@ mod tests {
         let back = RedlineConfig::from_description(config.describe());
         assert_eq!(back.describe(), config.describe());
         let huge = RedlineConfig { desktop: (u32::MAX, u32::MAX), ..config };
-        assert_eq!(huge.desktop_size(), (2048, 1792));
+        assert_eq!(huge.desktop_size(), (2560, 1433));
     }
 }

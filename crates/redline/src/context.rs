@@ -42,6 +42,8 @@ pub struct Context {
     config: RedlineConfig,
     devices: BTreeMap<u32, Device>,
     made: u32,
+    /// Commands lost by devices that are closed.
+    lost: u64,
     /// The device that was opened or issued to last.
     current: Option<u32>,
     last_v: Option<(VRoutine, VError)>,
@@ -55,6 +57,7 @@ impl Context {
             config,
             devices: BTreeMap::new(),
             made: 0,
+            lost: 0,
             current: None,
             last_v: None,
             last_vl: None,
@@ -187,6 +190,13 @@ impl Context {
         self.devices.get(&device).map(Device::counters)
     }
 
+    /// How many commands were lost so far because something in the library broke
+    /// off, which is a defect of it. Devices stay usable; standard error says
+    /// which commands.
+    pub fn lost_commands(&self) -> u64 {
+        self.lost + self.devices.values().map(Device::lost).sum::<u64>()
+    }
+
     /// What a device shows. Waits until all it was issued is drawn.
     pub fn shown_by(&self, device: u32) -> Option<Shown> {
         self.devices.get(&device).map(Device::shown)
@@ -212,7 +222,9 @@ impl Context {
     }
 
     fn close(&mut self, device: u32) -> Result<(), VError> {
-        self.devices.remove(&device).map(drop).ok_or(VError::ParamError)
+        let closed = self.devices.remove(&device).ok_or(VError::ParamError)?;
+        self.lost += closed.finish();
+        Ok(())
     }
 
     fn device(&mut self, device: u32) -> Result<&mut Device, VError> {
@@ -350,6 +362,11 @@ impl Context {
                 on.set_window(*window);
                 Ok(Reply::Nothing)
             }),
+            Call::StoreBuffer { device, group, buffer, changes } => {
+                on!(CurrentRequest, device, |on| {
+                    on.unlock(*group, *buffer, changes).map(nothing)
+                })
+            }
             Call::LoseBuffers { device } => on!(CurrentRequest, device, |on| {
                 on.lose_buffers();
                 Ok(Reply::Nothing)

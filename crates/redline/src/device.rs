@@ -17,7 +17,6 @@ use crate::config::RedlineConfig;
 use crate::error::VError;
 use crate::format::PixFmt;
 use crate::opcode::Opcode;
-use crate::stream::{Command, Commands};
 use crate::surface::{BufferGroup, INTERLEAVED, MAX_BUFFERS, PRIMARY, Z_BUFFER};
 use crate::worker::Worker;
 
@@ -27,6 +26,9 @@ pub const WINDOWED: u32 = 1;
 pub const FULL_SCREEN: u32 = 2;
 /// The most groups and command buffers of a device, each.
 const MAX_OBJECTS: usize = 1 << 16;
+
+/// The most rows of a buffer: the scissor has 16 bits.
+const MAX_HEIGHT: u32 = 0xffff;
 
 /// What a new group is to be.
 #[derive(Clone, Copy, Debug)]
@@ -41,7 +43,7 @@ pub(crate) struct GroupRequest {
 }
 
 /// A picture on the screen, or of a window.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Shown {
     /// Columns.
     pub width: u32,
@@ -158,7 +160,8 @@ impl Device {
     }
 
     fn show(&self, scanout: Scanout) {
-        self.worker.chip().scanout = scanout;
+        // Nothing in there can break off.
+        let _ = self.worker.with(|chip| chip.scanout = scanout);
     }
 
     /// `V_SetDisplayType`.
@@ -191,10 +194,8 @@ impl Device {
         if self.display_type != FULL_SCREEN {
             return Err(VError::FullScreenModeOnly);
         }
-        let sides = 1..=2048;
-        let fits = sides.contains(&width)
-            && sides.contains(&height)
-            && width * 2 <= self.config.chip.max_pitch();
+        let fits = (1..=self.config.chip.max_pitch() / 2).contains(&width)
+            && (1..=MAX_HEIGHT).contains(&height);
         if !fits || bits != 16 {
             return Err(VError::DdSetDisplayMode);
         }
@@ -210,8 +211,7 @@ impl Device {
         {
             return Err(VError::ParamError);
         }
-        self.worker.chip().scanout.linebytes = linebytes;
-        Ok(())
+        self.worker.with(|chip| chip.scanout.linebytes = linebytes)
     }
 
     /// Where the window is on the desktop.
@@ -238,7 +238,10 @@ impl Device {
 
     /// What is on the screen, or in the window.
     pub fn shown(&self) -> Shown {
-        let mut chip = self.worker.chip();
+        self.worker.with(|chip| self.shown_by(chip)).unwrap_or_default()
+    }
+
+    fn shown_by(&self, chip: &mut VeriteChip) -> Shown {
         let scanout = chip.scanout;
         let (origin, width, height) = if self.display_type == WINDOWED {
             let window = self.window();
@@ -266,7 +269,18 @@ impl Device {
 
     /// What the chip has drawn.
     pub fn counters(&self) -> Counters {
-        self.worker.chip().counters()
+        self.worker.with(VeriteChip::counters).unwrap_or_default()
+    }
+
+    /// Waits for the chip for the last time: how often it broke off.
+    pub fn finish(&self) -> u64 {
+        self.worker.finish();
+        self.lost()
+    }
+
+    /// How often the chip broke off.
+    pub fn lost(&self) -> u64 {
+        self.worker.lost()
     }
 
     // Buffer groups.
@@ -275,7 +289,7 @@ impl Device {
     fn plan(&self, request: &GroupRequest) -> Result<BufferGroup, VError> {
         let GroupRequest { mask, buffers, width, height, .. } = *request;
         let chip = self.config.chip;
-        let sized = width > 0 && height > 0 && height <= 1 << 16 && width <= chip.max_pitch();
+        let sized = width > 0 && height > 0 && height <= MAX_HEIGHT && width <= chip.max_pitch();
         if !(1..=MAX_BUFFERS).contains(&buffers) || mask > 7 || !sized {
             return Err(VError::ParamError);
         }
@@ -311,7 +325,7 @@ impl Device {
             let one = self.primary.is_none();
             one && match (self.display_type, self.mode) {
                 (FULL_SCREEN, Some(mode)) => mode == (width, height),
-                (FULL_SCREEN, None) => width <= 2048 && height <= 2048,
+                (FULL_SCREEN, None) => true,
                 _ => width <= self.desktop.width && height <= self.desktop.height,
             }
         } else {
@@ -433,7 +447,7 @@ impl Device {
     /// `V_DestroyBufferGroup`: waits until nothing draws there any more.
     pub fn destroy_group(&mut self, number: u32) -> Result<(), VError> {
         let group = self.groups.remove(&number).ok_or(VError::ParamError)?;
-        drop(self.worker.chip());
+        self.worker.finish();
         if let Some((at, bytes)) = group.owned {
             self.allocator.release(at, bytes);
         }
@@ -458,7 +472,7 @@ impl Device {
 
     /// All buffers are lost; their memory is free.
     pub fn lose_buffers(&mut self) {
-        drop(self.worker.chip());
+        self.worker.finish();
         for group in self.groups.values_mut() {
             group.lost = true;
             if let Some((at, bytes)) = group.owned.take() {
@@ -521,20 +535,20 @@ impl Device {
     pub fn lock(&self, group: u32, buffer: u32) -> Result<Vec<u8>, VError> {
         let (group, address, pitch) = self.buffer(group, buffer)?;
         let size = pitch * (group.height - 1) + row_bytes(group, buffer);
-        Ok(self.worker.chip().read_rows(address, 0, size, 1))
+        self.worker.with(|chip| chip.read_rows(address, 0, size, 1))
     }
 
     /// `V_UnlockBuffer`: brings changed bytes back.
     pub fn unlock(&self, group: u32, buffer: u32, changes: &[u8]) -> Result<(), VError> {
         let (group, address, pitch) = self.buffer(group, buffer)?;
         let size = (pitch * (group.height - 1) + row_bytes(group, buffer)) as usize;
-        let mut chip = self.worker.chip();
-        for (offset, bytes) in crate::lock::runs(changes) {
-            let Some(room) = size.checked_sub(offset) else { continue };
-            let count = room.min(bytes.len());
-            chip.write_bytes(address + offset as u32, &bytes[..count]);
-        }
-        Ok(())
+        self.worker.with(|chip| {
+            for (offset, bytes) in crate::lock::runs(changes) {
+                let Some(room) = size.checked_sub(offset) else { continue };
+                let count = room.min(bytes.len());
+                chip.write_bytes(address + offset as u32, &bytes[..count]);
+            }
+        })
     }
 
     /// `V_ReadBuffer`: rows of pixels without padding.
@@ -557,7 +571,7 @@ impl Device {
         }
         let row = format.row_bytes(size[0]) as u32;
         let from = address + at[1] * pitch + format.row_bytes(at[0]) as u32;
-        Ok(self.worker.chip().read_rows(from, pitch, row, size[1]))
+        self.worker.with(|chip| chip.read_rows(from, pitch, row, size[1]))
     }
 
     /// `V_BltDisplayBuffer`: clips to the window, stretches to the nearest
@@ -583,20 +597,21 @@ impl Device {
         let stretch = Stretch::new(dst, src, visible, whole(from)).ok_or(VError::ParamError)?;
         let bytes = to.format.bytes();
         let row = row_bytes(from, src_buffer);
-        let mut chip = self.worker.chip();
-        let pixels = chip.read_rows(from_address, from_pitch, row, from.height);
-        let mut line = Vec::new();
-        for y in stretch.rows.clone() {
-            let source = (stretch.row(y) * row) as usize;
-            line.clear();
-            for x in stretch.columns.clone() {
-                let at = source + (stretch.column(x) * bytes) as usize;
-                line.extend_from_slice(&pixels[at..at + bytes as usize]);
+        let copy = |chip: &mut VeriteChip| {
+            let pixels = chip.read_rows(from_address, from_pitch, row, from.height);
+            let mut line = Vec::new();
+            for y in stretch.rows.clone() {
+                let source = (stretch.row(y) * row) as usize;
+                line.clear();
+                for x in stretch.columns.clone() {
+                    let at = source + (stretch.column(x) * bytes) as usize;
+                    line.extend_from_slice(&pixels[at..at + bytes as usize]);
+                }
+                let left = *stretch.columns.start() as u32;
+                chip.write_bytes(to_address + y as u32 * to_pitch + left * bytes, &line);
             }
-            let left = *stretch.columns.start() as u32;
-            chip.write_bytes(to_address + y as u32 * to_pitch + left * bytes, &line);
-        }
-        Ok(())
+        };
+        self.worker.with(copy)
     }
 
     // Command buffers.
@@ -625,31 +640,38 @@ impl Device {
         Ok(())
     }
 
-    /// `V_IssueCmdBuffer`: how many times the display is switched in it.
+    /// `V_IssueCmdBuffer`: how many times the display is switched in it. Waiting
+    /// for a buffer that lost commands is [`VError::VeriteCommandErr`].
     pub fn issue(&mut self, buffer: u32, segments: &[Segment], wait: bool) -> Result<u32, VError> {
         let last = self.buffers.get_mut(&buffer).ok_or(VError::ParamError)?;
         let words = stream_words(segments);
-        let mut switches = 0;
-        for command in Commands::new(&words, self.config.chip) {
-            let command = command.map_err(|_| VError::VeriteCommandErr)?;
-            let display = |opcode| matches!(opcode, Opcode::Display | Opcode::StereoDisplay);
-            switches +=
-                u32::from(matches!(command, Command::Other { opcode, .. } if display(opcode)));
-        }
+        let switches = crate::stream::switches(&words, self.config.chip);
+        let switches = switches.map_err(|_| VError::VeriteCommandErr)?;
         if words.is_empty() {
             return Ok(0);
         }
         *last = self.worker.issue(words);
+        let last = *last;
         if wait {
-            self.worker.wait(*last);
+            self.worker.wait(last);
+            self.whole(last)?;
         }
         Ok(switches)
     }
 
-    /// `V_QueryCmdBuffer`: whether it is in use.
+    fn whole(&self, stream: u64) -> Result<(), VError> {
+        if self.worker.take_loss(stream) { Err(VError::VeriteCommandErr) } else { Ok(()) }
+    }
+
+    /// `V_QueryCmdBuffer`: whether it is in use. The first time that a buffer
+    /// is found done that lost commands, [`VError::VeriteCommandErr`].
     pub fn is_in_use(&self, buffer: u32) -> Result<bool, VError> {
-        let issued = self.buffers.get(&buffer).ok_or(VError::ParamError)?;
-        Ok(!self.worker.is_done(*issued))
+        let issued = *self.buffers.get(&buffer).ok_or(VError::ParamError)?;
+        let done = self.worker.is_done(issued);
+        if done {
+            self.whole(issued)?;
+        }
+        Ok(!done)
     }
 
     /// Waits until a command buffer is available.

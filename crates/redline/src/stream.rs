@@ -49,6 +49,15 @@ pub enum Command<'a> {
     },
 }
 
+impl Command<'_> {
+    /// Whether another picture is shown from here on.
+    #[inline]
+    pub fn is_switch(&self) -> bool {
+        let switches = |opcode| matches!(opcode, Opcode::Display | Opcode::StereoDisplay);
+        matches!(*self, Command::Other { opcode, .. } if switches(opcode))
+    }
+}
+
 /// What is wrong with a stream, and where.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error)]
 #[error("word {at}: {kind}")]
@@ -96,6 +105,11 @@ impl<'a> Commands<'a> {
     /// The commands in `words` as `chip` understands them.
     pub fn new(words: &'a [u32], chip: Chip) -> Commands<'a> {
         Commands { words, at: 0, chip }
+    }
+
+    /// The commands from word `at` on, with which one begins.
+    pub(crate) fn starting(words: &'a [u32], at: usize, chip: Chip) -> Commands<'a> {
+        Commands { words, at, chip }
     }
 
     /// Index of the next command's first word.
@@ -339,4 +353,36 @@ fn show_words(f: &mut std::fmt::Formatter<'_>, name: &str, words: &[u32]) -> std
         0 => Ok(()),
         more => write!(f, " and {more} more words"),
     }
+}
+
+/// How many commands switch the display.
+///
+/// # Errors
+/// What is wrong with the first wrong command.
+pub fn switches(words: &[u32], chip: Chip) -> Result<u32, StreamError> {
+    let mut count = 0;
+    for command in Commands::new(words, chip) {
+        count += u32::from(command?.is_switch());
+    }
+    Ok(count)
+}
+
+/// A valid stream in parts that show one frame each: every part but the first
+/// begins with the command that switches the display.
+pub fn frames(words: &[u32], chip: Chip) -> Vec<&[u32]> {
+    let mut commands = Commands::new(words, chip);
+    let (mut parts, mut from, mut switched) = (Vec::new(), 0, false);
+    let mut at = 0;
+    while let Some(Ok(command)) = commands.next() {
+        if command.is_switch() {
+            if switched {
+                parts.push(&words[from..at]);
+                from = at;
+            }
+            switched = true;
+        }
+        at = commands.position();
+    }
+    parts.push(&words[from..]);
+    parts
 }

@@ -154,7 +154,7 @@ pub fn any_rave_call(from: &mut Bytes<'_>) -> Call {
                 .collect(),
         },
         26..=35 => Call::SetInt { context, tag: int_tag(from), value: from.int() as u32 },
-        36..=38 => Call::SetFloat { context, tag: u32::from(from.byte()), value: from.float() },
+        36..=38 => Call::SetFloat { context, tag: float_tag(from), value: unit(from) },
         39..=40 => Call::SetTexture { context, tag: pointer_tag(from), texture: object(from) },
         41 => Call::RenderStart { context, dirty: rect(from), initial: initial(from) },
         42 => Call::RenderEnd { context, modified: rect(from) },
@@ -266,13 +266,25 @@ fn triangles(from: &mut Bytes<'_>) -> Vec<IndexedTriangle> {
 
 /// A tag that a state has, of integers mostly.
 fn int_tag(from: &mut Bytes<'_>) -> u32 {
-    const USUAL: [u32; 24] = [
-        0, 8, 9, 10, 11, 12, 16, 17, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 101, 102, 109, 110,
-        111, 149,
+    const USUAL: [u32; 30] = [
+        0, 8, 9, 10, 11, 11, 12, 16, 17, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 101, 101,
+        102, 103, 104, 109, 110, 111, 149,
     ];
     match from.byte() {
         k @ 0..=239 => USUAL[usize::from(k) % USUAL.len()],
         _ => u32::from(from.unsigned_half()) % 1100,
+    }
+}
+
+/// A tag that a state has, of floats mostly.
+fn float_tag(from: &mut Bytes<'_>) -> u32 {
+    const USUAL: [u32; 24] = [
+        1, 2, 5, 18, 19, 22, 23, 24, 25, 41, 42, 43, 46, 47, 49, 51, 52, 53, 112, 113, 114, 115,
+        116, 150,
+    ];
+    match from.byte() {
+        k @ 0..=191 => USUAL[usize::from(k) % USUAL.len()],
+        k => u32::from(k) ^ u32::from(from.byte()),
     }
 }
 

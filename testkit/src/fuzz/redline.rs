@@ -2,6 +2,7 @@
 
 use fillrate_call::{Decoder, Tagged, Value};
 use fillrate_engine::DeviceConfig;
+use fillrate_redline::stream::validate;
 use fillrate_redline::surface::{PRIMARY, Z_BUFFER};
 use fillrate_redline::vertex::Attribute;
 use fillrate_redline::{
@@ -25,6 +26,10 @@ struct Board {
     buffer: u32,
     /// Address of the texture.
     texture: u32,
+    /// The chip.
+    chip: Chip,
+    /// What installs destination, depths and texture.
+    setup: Vec<u32>,
 }
 
 impl Board {
@@ -45,7 +50,8 @@ impl Board {
         let buffer = make(&Call::CreateCmdBuffer { device, entries: 8, words: 4096 });
         let texture = context.group(device, group).and_then(|group| group.address(0));
         let texture = texture.expect("it was made");
-        let mut board = Board { context, device, display, buffer, texture };
+        let setup = Vec::new();
+        let mut board = Board { context, device, display, buffer, texture, chip, setup };
         board.install(group);
         board
     }
@@ -59,6 +65,8 @@ impl Board {
         record::install_dst_buffer(&mut words, &surface, &display).expect("there is room");
         record::install_z_buffer(&mut words, &display).expect("there is room");
         record::install_texture_map(&mut words, &surface, &texture).expect("there is room");
+        self.setup = vec![Opcode::ContextInit as u32];
+        self.setup.extend_from_slice(words.words());
         let texels: Vec<u32> = (0..SIDE * SIDE / 2).map(|i| i.wrapping_mul(0x9e37_79b9)).collect();
         let place = [self.texture, texture.linebytes];
         record::mem_write_rect_inline(&mut words, place, [SIDE * 2, SIDE], &texels)
@@ -84,6 +92,7 @@ impl Board {
             let bytes = locked.map_or_else(|_| Vec::new(), |reply| reply.into_bytes());
             bytes.iter().for_each(|&byte| add(byte.into()));
         }
+        assert_eq!(self.context.lost_commands(), 0, "no command breaks off");
         if let Some(shown) = self.context.shown() {
             shown.pixels.iter().for_each(|&pixel| add(pixel.into()));
         }
@@ -102,9 +111,11 @@ pub fn run_redline_words(bytes: &[u8], threads: usize) -> Vec<u64> {
     let mut hashes = Vec::new();
     while !from.is_empty() {
         let mut words = Vec::new();
-        for _ in 0..1 + from.byte() % 32 {
-            any_redline_words(&mut from, board.texture, &mut words);
+        if from.byte() & 1 == 0 {
+            words.extend_from_slice(&board.setup);
         }
+        let count = 1 + from.byte() % 32;
+        redline_stream(&mut from, board.texture, board.chip, count, &mut words);
         board.issue(vec![Segment::of(&words)]);
         hashes.push(board.hash());
     }
@@ -116,11 +127,54 @@ pub fn run_redline_calls(bytes: &[u8], threads: usize) -> Vec<u64> {
     let mut from = Bytes::new(bytes);
     let mut board = Board::new(chip(&mut from), threads);
     while !from.is_empty() {
-        let call = any_redline_call(&mut from, board.texture);
+        let call = any_redline_call(&mut from, board.texture, board.chip);
         // Calls may be senseless.
         let _ = board.context.execute(&call);
     }
     vec![board.hash()]
+}
+
+/// Streams of commands: three of four hold only such that the board takes, their
+/// words changed here and there, so that they draw; others hold anything, which
+/// refuses them whole where one is wrong.
+pub fn redline_stream(
+    from: &mut Bytes<'_>,
+    texture: u32,
+    chip: Chip,
+    count: u8,
+    out: &mut Vec<u32>,
+) {
+    let anything = from.byte() & 3 == 0;
+    for _ in 0..count {
+        let first = out.len();
+        any_redline_words(from, texture, out);
+        if !anything && validate(&out[first..], chip).is_err() {
+            out.truncate(first);
+        }
+    }
+    if !anything {
+        let first = out.len().min(1);
+        (0..from.byte() % 8).for_each(|_| mutate(from, chip, first, out));
+    }
+}
+
+/// Changes a word, mostly so that the stream stays valid.
+fn mutate(from: &mut Bytes<'_>, chip: Chip, first: usize, words: &mut Vec<u32>) {
+    if words.len() <= first {
+        return;
+    }
+    let before = words.clone();
+    let at = first + from.half() as u16 as usize % (words.len() - first);
+    match from.byte() {
+        0..192 => words[at] ^= 1 << (from.byte() & 31),
+        192..224 => words[at] = from.word(),
+        224..240 => words.truncate(at),
+        _ => drop(words.remove(at)),
+    }
+    let kept = from.byte() < 8;
+    if !kept && validate(words, chip).is_err() {
+        *words = before;
+    }
 }
 
 /// A command, or some of its words: plausible ones mostly.
@@ -265,6 +319,8 @@ fn state(from: &mut Bytes<'_>, texture: u32, out: &mut Vec<u32>) {
         Register::AluMode => byte & 15,
         Register::BlendSrcFunc | Register::BlendDstFunc => byte % 10,
         Register::ZBufMode => byte % 7,
+        // As far as the destination's pitch and memory go, in windows.
+        Register::ScissorX | Register::ScissorY if byte >= 248 => 0xffff,
         Register::ScissorX | Register::ScissorY => (byte & 31) << 16 | (byte >> 2),
         Register::UMask | Register::VMask => byte,
         Register::UMultiplier | Register::VMultiplier => 1 << (12 + byte % 12),
@@ -395,7 +451,7 @@ fn data(from: &mut Bytes<'_>, first: usize, out: &mut Vec<u32>) {
 }
 
 /// A call with plausible numbers mostly, any now and then.
-pub fn any_redline_call(from: &mut Bytes<'_>, texture: u32) -> Call {
+pub fn any_redline_call(from: &mut Bytes<'_>, texture: u32, chip: Chip) -> Call {
     let device = 1;
     let group = u32::from(from.byte() % 6);
     let buffer = u32::from(from.byte() % 4);
@@ -406,9 +462,8 @@ pub fn any_redline_call(from: &mut Bytes<'_>, texture: u32) -> Call {
     match from.byte() & 31 {
         0..=9 => {
             let mut words = Vec::new();
-            for _ in 0..1 + from.byte() % 8 {
-                any_redline_words(from, texture, &mut words);
-            }
+            let count = 1 + from.byte() % 8;
+            redline_stream(from, texture, chip, count, &mut words);
             let port = if from.byte() < 32 { from.byte() % 5 } else { 0 };
             let segments = vec![Segment { port, ..Segment::of(&words) }];
             let buffer = if from.byte() < 240 { 3 } else { buffer };
@@ -452,6 +507,7 @@ pub fn any_redline_call(from: &mut Bytes<'_>, texture: u32) -> Call {
         21 => Call::SetDisplayType { device, display_type: 1 + u32::from(from.byte() % 3) },
         22 => Call::RestoreSurface { device, group },
         23 => Call::LoseBuffers { device },
+        25 => Call::StoreBuffer { device, group, buffer, changes: from.data() },
         24 => Call::SetWindow { device, window: Some(rect(from)) },
         _ => decoded(from).unwrap_or(Call::SetUserPrivate { device, value: 1 }),
     }

@@ -164,12 +164,73 @@ static void groups(void)
     CHECK(V_DestroyBufferGroup(verite, group) == V_SUCCESS);
 }
 
+static v_u16 stored(const unsigned char *bytes, v_u32 pitch, v_u32 x, v_u32 y)
+{
+    v_u16 pixel;
+
+    memcpy(&pixel, bytes + y * pitch + x * 2, sizeof pixel);
+    return pixel;
+}
+
+/* A buffer that is held while commands draw into it: stores come before what is
+ * issued after them, and the pointer shows what is drawn once a call has said
+ * that it is done. */
+static void held(void)
+{
+    v_u32 pitch = V_GetBufferLinebytes(display->buffer_group, 1), i;
+    v_u16 green = 0x07E0, pixels[4];
+    unsigned char *bytes, *again;
+
+    CHECK(V_IssueCmdBuffer(verite, cb) == V_SUCCESS);
+    bytes = V_LockBuffer(verite, display->buffer_group, 1);
+    CHECK(bytes != NULL);
+    if (bytes == NULL) {
+        return;
+    }
+    /* Waited for. */
+    CHECK(VL_FillBuffer(&cb, display, 1, 10, 20, 30, 5, 0xF800) == VL_SUCCESS);
+    CHECK(stored(bytes, pitch, 10, 20) == 0);
+    CHECK(V_IssueCmdBuffer(verite, cb) == V_SUCCESS);
+    CHECK(stored(bytes, pitch, 10, 20) == 0xF800 && stored(bytes, pitch, 39, 24) == 0xF800);
+    CHECK(stored(bytes, pitch, 40, 20) == 0);
+    /* Asked for; a store before the issue is drawn over, one beside it stays. */
+    for (i = 12; i < 16; i++) {
+        memcpy(bytes + 21 * pitch + i * 2, &green, sizeof green);
+    }
+    CHECK(VL_FillBuffer(&cb, display, 1, 13, 21, 1, 1, 0x001F) == VL_SUCCESS);
+    CHECK(V_IssueCmdBufferAsync(verite, cb) == V_SUCCESS);
+    while (V_QueryCmdBuffer(verite, cb) == V_CMDBUFFER_INUSE) {
+    }
+    CHECK(stored(bytes, pitch, 12, 21) == green && stored(bytes, pitch, 13, 21) == 0x001F);
+    /* The board sees stores without an unlock. */
+    memcpy(bytes + 22 * pitch + 2 * 50, &green, sizeof green);
+    CHECK(V_ReadBuffer(verite, display->buffer_group, 1, 48, 22, 4, 1, 8, (v_u32 *)pixels)
+          == V_SUCCESS);
+    CHECK(pixels[1] == 0 && pixels[2] == green && pixels[3] == 0);
+    /* A second lock is the same memory. */
+    CHECK(VL_FillBuffer(&cb, display, 1, 60, 22, 2, 1, 0xFFFF) == VL_SUCCESS);
+    CHECK(V_IssueCmdBufferAsync(verite, cb) == V_SUCCESS);
+    again = V_LockBuffer(verite, display->buffer_group, 1);
+    CHECK(again == bytes && stored(bytes, pitch, 61, 22) == 0xFFFF);
+    CHECK(V_UnlockBuffer(verite, display->buffer_group, 1) == V_SUCCESS);
+    /* Drawn and stored before the last unlock: both stay. */
+    CHECK(VL_FillBuffer(&cb, display, 1, 70, 22, 2, 1, 0xFFFF) == VL_SUCCESS);
+    CHECK(V_IssueCmdBufferAsync(verite, cb) == V_SUCCESS);
+    memcpy(bytes + 22 * pitch + 2 * 72, &green, sizeof green);
+    CHECK(V_UnlockBuffer(verite, display->buffer_group, 1) == V_SUCCESS);
+    CHECK(V_ReadBuffer(verite, display->buffer_group, 1, 70, 22, 4, 1, 8, (v_u32 *)pixels)
+          == V_SUCCESS);
+    CHECK(pixels[0] == 0xFFFF && pixels[1] == 0xFFFF && pixels[2] == green && pixels[3] == 0);
+    CHECK(VL_FillBuffer(&cb, display, 1, 0, 0, WIDE, HIGH, 0) == VL_SUCCESS);
+}
+
 int main(void)
 {
     open_small();
     strides();
     video_memory();
     groups();
+    held();
     V_SetUserPrivate(verite, 0x12345678);
     CHECK(V_GetUserPrivate(verite) == 0x12345678);
     quad(40, 40, 240, 160, 0xFF00C0C0);

@@ -7,6 +7,7 @@ use fillrate_player::Frame;
 use super::board::Board;
 use super::measure::Job;
 use super::quark;
+use super::rave;
 use super::redline;
 use super::size::Size;
 use super::surfaces::Surfaces;
@@ -62,6 +63,15 @@ pub fn redline_job(name: &'static str, kind: redline::Kind, size: Size) -> Job {
         Ok(Box::new(redline::Prepared::new(kind, size, device)?))
     };
     let unit = redline::unit(kind);
+    Job { name, unit, format: "565", size, kept: true, make: Box::new(make) }
+}
+
+/// The job of a workload of RAVE.
+pub fn rave_job(name: &'static str, kind: rave::Kind, size: Size) -> Job {
+    let make = move |device: DeviceConfig| -> Result<Box<dyn Drawing>> {
+        Ok(Box::new(rave::Prepared::new(kind, size, device)?))
+    };
+    let unit = rave::unit(kind);
     Job { name, unit, format: "565", size, kept: true, make: Box::new(make) }
 }
 

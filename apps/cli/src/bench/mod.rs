@@ -1,5 +1,5 @@
 //! `fillrate bench`: the workloads W1 to W9 through the Glide API, Q1 to Q14
-//! through Quark 3D, R1 to R6 through RRedline.
+//! through Quark 3D, R1 to R6 through RRedline, A1 to A8 through RAVE.
 
 mod board;
 mod chart;
@@ -9,6 +9,7 @@ mod drawing;
 mod measure;
 mod peers;
 mod quark;
+mod rave;
 mod redline;
 mod scene;
 mod size;
@@ -128,14 +129,15 @@ fn measure(args: &BenchArgs, digests: &Digests) -> Result<Vec<Measured>> {
     Ok(all)
 }
 
-/// The chosen workloads. Those of Quark 3D and RRedline exist where a board shows
-/// the size.
+/// The chosen workloads. Those of Quark 3D, RRedline and RAVE exist where a board
+/// shows the size.
 fn jobs(args: &BenchArgs) -> Result<Vec<Job>> {
     let is_chosen = |name: &str| name.starts_with(&args.only);
     let glide = WORKLOADS.into_iter().filter(|workload| is_chosen(workload.name));
     let mut jobs: Vec<Job> =
         glide.map(|workload| drawing::job(workload, args.size, None)).collect();
     let of_redline = redline::WORKLOADS.into_iter().filter(|(name, _)| is_chosen(name));
+    let of_rave = rave::WORKLOADS.into_iter().filter(|(name, _)| is_chosen(name));
     let of_quark = quark::WORKLOADS.into_iter().filter(|(name, _)| is_chosen(name));
     if jobs.is_empty() || args.size.resolution().is_some() {
         for (name, kind) in of_quark {
@@ -144,6 +146,7 @@ fn jobs(args: &BenchArgs) -> Result<Vec<Job>> {
     }
     if args.size.resolution().is_some() {
         jobs.extend(of_redline.map(|(name, kind)| drawing::redline_job(name, kind, args.size)));
+        jobs.extend(of_rave.map(|(name, kind)| drawing::rave_job(name, kind, args.size)));
     }
     if jobs.is_empty() {
         bail!("no workload starts with '{}'", args.only);

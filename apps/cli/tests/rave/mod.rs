@@ -85,14 +85,20 @@ fn programs_conform() {
         run(fillrate().arg("replay").arg(folder.path().join("trace")));
         problems.extend(check(&name_of(&file), &frame).err());
     }
-    assert!(problems.is_empty(), "{}", problems.join("\n"));
-    let memory = root().join("tests/c/rave/memory.c");
-    for kind in ["video", "frame"] {
-        let mut command = program(&memory, folder.path());
-        command.arg(kind);
-        draw(command, folder.path());
+    // Other boards, and another order of bytes: the same picture.
+    for (name, argument) in
+        [("memory", "video"), ("memory", "frame"), ("order", "pictures"), ("order", "1")]
+    {
+        let file = root().join(format!("tests/c/rave/{name}.c"));
+        let mut command = program(&file, folder.path());
+        command.arg(argument);
+        let (_, frame) = draw(command, folder.path());
         run(fillrate().arg("replay").arg(folder.path().join("trace")));
+        if name == "order" {
+            problems.extend(check(name, &frame).err());
+        }
     }
+    assert!(problems.is_empty(), "{}", problems.join("\n"));
 }
 
 /// The last frame of each example is the kept one. Preflighting loads no texture
@@ -142,9 +148,15 @@ fn memory_checker_is_content() {
         return;
     }
     let folder = tempfile::tempdir().expect("a temporary folder");
-    for (name, argument) in
-        [("memory", "separate"), ("memory", "video"), ("memory", "frame"), ("engines", "")]
-    {
+    for (name, argument) in [
+        ("memory", "separate"),
+        ("memory", "video"),
+        ("memory", "frame"),
+        ("engines", ""),
+        ("order", "1"),
+        ("devices", ""),
+        ("late", ""),
+    ] {
         let file = root().join(format!("tests/c/rave/{name}.c"));
         let direct = program(&file, folder.path());
         let mut command = Command::new("valgrind");

@@ -48,3 +48,20 @@ fn programs_conform_on_both_chips() {
     }
     assert!(problems.is_empty(), "{}", problems.join("\n"));
 }
+
+/// Flips in one command buffer are frames of their own: the same as those of
+/// buffers with one flip each.
+#[test]
+fn every_flip_is_a_frame() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let program = compile(&root().join("tests/c/redline/flips.c"), folder.path());
+    for chip in CHIPS {
+        let together = draw(&program, chip, &[], &folder.path().join("together"));
+        let apart = draw(&program, chip, &["apart"], &folder.path().join("apart"));
+        assert_eq!(together.hashes, apart.hashes, "{chip}");
+        let [first, second, third] = &together.hashes[..] else {
+            panic!("three flips, {} frames", together.hashes.len())
+        };
+        assert!(first != second && second != third && first != third);
+    }
+}

@@ -53,6 +53,21 @@ impl Area {
         let column = (b.base - a.base) % pitch;
         column < a.row || column + b.row > pitch
     }
+
+    /// How many rows the lower of two areas may have to end before the other
+    /// begins; `None` where they lie apart as they are.
+    pub fn rows_before(&self, other: &Area) -> Option<u32> {
+        if !self.overlaps(other) {
+            return None;
+        }
+        let (a, b) = if self.base <= other.base { (self, other) } else { (other, self) };
+        let room = (b.base - a.base).checked_sub(a.row);
+        Some(match (room, a.pitch) {
+            (None, _) => 0,
+            (Some(_), 0) => 1,
+            (Some(room), pitch) => room / pitch + 1,
+        })
+    }
 }
 
 #[cfg(test)]
@@ -69,6 +84,10 @@ mod tests {
         assert!(!left.overlaps(&Area { base: 1000 + 2048 * 3 + 640, ..Area::line(0, 1) }));
         assert!(left.overlaps(&Area { base: 1640, pitch: 100, row: 10, rows: 5 }));
         assert!(!left.overlaps(&Area::line(0, 1000)));
+        assert_eq!(left.rows_before(&right), None);
+        let below = Area { base: 1000 + 2048 * 50 + 639, ..left };
+        assert_eq!((left.rows_before(&below), below.rows_before(&left)), (Some(50), Some(50)));
+        assert_eq!(left.rows_before(&Area { base: 1001, ..left }), Some(0));
         // The last column wraps into the next row's first.
         assert!(left.overlaps(&Area { base: 1000 + 2040, ..Area::line(0, 9) }));
     }

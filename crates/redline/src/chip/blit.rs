@@ -122,8 +122,12 @@ impl VeriteChip {
         let Some(reading) = Reading::new(&self.state) else { return };
         let pitch = self.config.chip.linebytes(self.state.get(Register::SrcStride));
         let [left, top] = [(from >> 16) + visible.skipped[0], (from & 0xffff) + visible.skipped[1]];
+        // Pixels that share bytes come in pairs.
+        let (skipped, left) = (left & !1, left & 1);
         let columns = (left + visible.width).next_multiple_of(2);
-        let base = u64::from(self.state.get(Register::SrcBase)) + u64::from(top) * u64::from(pitch);
+        let base = u64::from(self.state.get(Register::SrcBase))
+            + u64::from(top) * u64::from(pitch)
+            + reading.format.row_bytes(skipped);
         let base = u32::try_from(base).unwrap_or(u32::MAX);
         let row = reading.format.row_bytes(columns) as u32;
         self.targets.sync(&mut self.memory, &Area { base, pitch, row, rows: visible.height });

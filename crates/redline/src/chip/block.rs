@@ -16,6 +16,7 @@ use super::setup::{self, Corner};
 use super::texture::{Binding, Reading, build};
 use super::transfer::bytes_of;
 use super::translate::{self, SourceFunction};
+use super::window;
 use crate::format::PixFmt;
 use crate::opcode::Register;
 
@@ -135,21 +136,36 @@ impl VeriteChip {
     /// Draws a block; `texel` gives colour and key of a column and row of it.
     fn block(&mut self, extent: Extent, under: Under, texel: impl Fn(u32, u32) -> (u32, bool)) {
         let Some(prepared) = self.prepare() else { return };
-        let visible = extent.rect().intersect(&prepared.scissor);
-        for part in parts(visible) {
+        let scissor = prepared.scissor;
+        // Parts begin with the block, so that what is drawn of it does not
+        // depend on what can be seen.
+        for part in parts(extent.rect()) {
+            let visible = part.intersect(&scissor);
+            if visible.is_empty() {
+                continue;
+            }
             let texels = |x: u32, y: u32| texel(part.x0 + x - extent.x, part.y0 + y - extent.y);
             let Some(texture) = block_texture(&part, texels) else { return };
-            self.block_part(&extent, &part, under, Arc::new(texture));
+            self.block_part(&extent, [&part, &visible], under, Arc::new(texture));
         }
     }
 
-    fn block_part(&mut self, extent: &Extent, part: &Rect, under: Under, texture: Arc<Texture>) {
+    fn block_part(
+        &mut self,
+        extent: &Extent,
+        [part, visible]: [&Rect; 2],
+        under: Under,
+        texture: Arc<Texture>,
+    ) {
         let upstream = match under {
             Under::Color(_) => None,
             Under::Texture(_) => self.upstream(),
         };
+        if !self.enter() {
+            return;
+        }
         let Some(prepared) = &self.prepared else { return };
-        let (depth, attributes) = (prepared.depth, prepared.attributes);
+        let (depth, attributes, at) = (prepared.depth, prepared.attributes, prepared.origin());
         let mut draw = prepared.base;
         let mut textures: [Option<Arc<Texture>>; MAX_TMUS] = [const { None }; MAX_TMUS];
         let mut unit = translate::texture_unit(Filter::Point, false, [true, true]);
@@ -174,24 +190,27 @@ impl VeriteChip {
         draw.pattern = None;
         translate::source(&mut draw, function, false);
         self.set_special(&draw, textures);
-        self.targets.drawn(part, depth);
+        self.targets.drawn(&window::moved(visible, at), depth);
+        let place = |x: u32, at: u32| (x as i32 - at as i32) * 16;
         let own = corners(part, |x, y| {
             let texel = [f64::from(x - part.x0) * ONE, f64::from(y - part.y0) * ONE, ONE];
-            Corner { wide: texel, ..attributes.corner(x as i32 * 16, y as i32 * 16, 0, 0) }
+            Corner { wide: texel, ..attributes.corner(place(x, at[0]), place(y, at[1]), 0, 0) }
         });
         let under = corners(part, |x, y| {
             let [u, v] = uv.map_or([0, 0], |uv| across(extent, uv, x, y));
-            attributes.corner(x as i32 * 16, y as i32 * 16, u, v)
+            attributes.corner(place(x, at[0]), place(y, at[1]), u, v)
         });
         for [a, b, c] in [[0, 1, 2], [3, 2, 1]] {
-            let mut upper = [Default::default(); 3];
+            // Both have the same places, so they come in the same pieces.
+            let mut upper = Vec::new();
             let three = [&under[a], &under[b], &under[c]];
-            setup::launch(&three, true, false, |registers| upper = registers.tmu[0]);
+            setup::launch(&three, true, false, |registers| upper.push(registers.tmu[0]));
+            let mut upper = upper.into_iter();
             let three = [&own[a], &own[b], &own[c]];
             let engine = &mut self.targets.engine;
             setup::launch(&three, true, attributes.extended, |registers| {
                 let mut registers = *registers;
-                registers.tmu[1] = upper;
+                registers.tmu[1] = upper.next().unwrap_or_default();
                 engine.launch(&registers);
             });
         }

@@ -9,9 +9,10 @@ use fillrate_engine::state::{DrawState, Filter, MAX_TMUS, Rect};
 
 use super::VeriteChip;
 use super::setup::{self, Attributes, Corner};
-use super::target::{Kind, MAX_SIDE, Place};
+use super::target::{DepthBuffer, Kind, Place, Resident};
 use super::texture::Binding;
 use super::translate::{self, SourceFunction};
+use super::window::{self, Windows};
 use crate::opcode::{Opcode, Register};
 use crate::vertex::{KFXYZUVQ, KSXYZ, KXYZUVQ, Layout, VertexType};
 
@@ -66,13 +67,33 @@ pub(super) struct Prepared {
     pub base: DrawState,
     pub function: SourceFunction,
     pub attributes: Attributes,
+    /// What can be drawn in the window, in pixels of the destination.
     pub scissor: Rect,
+    windows: Windows,
+    /// The engine's target is the window.
+    entered: bool,
     pub binding: Option<Binding>,
     /// The decoded source, once something needed it, and what of it.
     texture: Option<(Binding, Option<Arc<Texture>>)>,
     /// What the engine's state is set to.
     mode: Option<Mode>,
     pub depth: bool,
+}
+
+impl Prepared {
+    /// Goes on to another window.
+    fn select(&mut self, window: Rect) {
+        if window != self.windows.window() {
+            self.windows.select(window, &mut self.base);
+            self.scissor = self.windows.scissor();
+            (self.entered, self.mode) = (false, None);
+        }
+    }
+
+    /// The pixel of the destination that the window begins with.
+    pub fn origin(&self) -> [u32; 2] {
+        self.windows.origin()
+    }
 }
 
 impl VeriteChip {
@@ -89,36 +110,53 @@ impl VeriteChip {
         let pitch = self.config.chip.linebytes(state.get(Register::DstStride));
         let place = Place { base: state.get(Register::DstBase), pitch, kind };
         let [_, right, _, bottom] = state.scissor();
-        let width = right.min(place.columns()).min(MAX_SIDE);
-        let height = bottom.min(place.rows(width, self.memory.len())).min(MAX_SIDE);
+        let width = right.min(place.columns());
+        let height = bottom.min(place.rows(width, self.memory.len()));
         (width > 0 && height > 0).then_some((place, (width, height)))
     }
 
-    /// Chooses the target and works the state out; `None` where nothing can be
-    /// drawn.
+    /// The depth buffer of the destination, and how many rows both have without
+    /// lying in one another: a depth buffer within the destination is none, nor
+    /// is one without memory.
+    fn depth_buffer(&self, color: &Place, (width, height): (u32, u32)) -> (DepthBuffer, u32) {
+        let state = &self.state;
+        if !translate::uses_depth(state) {
+            return (DepthBuffer::Unused, height);
+        }
+        let depth = Place {
+            base: state.get(Register::ZBase),
+            pitch: self.config.chip.linebytes(state.get(Register::ZStride)),
+            kind: Kind::Depth,
+        };
+        let area = |place: &Place| Resident::area_of(place, (width, height), self.memory.len());
+        let place = area(&depth);
+        if place.is_empty() {
+            return (DepthBuffer::Missing, height);
+        }
+        match area(color).rows_before(&place) {
+            None => (DepthBuffer::At(depth), height),
+            Some(0) => (DepthBuffer::Missing, height),
+            Some(rows) => (DepthBuffer::At(depth), rows.min(height)),
+        }
+    }
+
+    /// Works the state out; `None` where nothing can be drawn.
     pub(super) fn prepare(&mut self) -> Option<&mut Prepared> {
         if self.prepared.is_none() {
-            let (place, size) = self.destination()?;
-            let state = &self.state;
-            let depth = translate::uses_depth(state);
-            let z_place = depth.then(|| Place {
-                base: state.get(Register::ZBase),
-                pitch: self.config.chip.linebytes(state.get(Register::ZStride)),
-                kind: Kind::Depth,
-            });
-            if !self.targets.choose(&mut self.memory, place, z_place, size) {
-                return None;
-            }
-            self.prepared = Some(self.work_out(size, depth));
+            let (place, (width, height)) = self.destination()?;
+            let (depth, rows) = self.depth_buffer(&place, (width, height));
+            let uses_depth = translate::uses_depth(&self.state);
+            let mut base = translate::draw_state(&self.state, self.config.chip.has_specular());
+            let clip = base.clip.unwrap_or_default().intersect(&Rect::new(0, 0, width, rows));
+            base.clip = Some(clip);
+            let windows = Windows::new(place, depth, (width, rows), clip);
+            self.prepared = Some(self.work_out(base, windows, uses_depth));
         }
         self.prepared.as_mut()
     }
 
-    fn work_out(&self, (width, height): (u32, u32), depth: bool) -> Prepared {
+    fn work_out(&self, base: DrawState, windows: Windows, depth: bool) -> Prepared {
         let state = &self.state;
-        let mut base = translate::draw_state(state, self.config.chip.has_specular());
-        let scissor = base.clip.unwrap_or_default().intersect(&Rect::new(0, 0, width, height));
-        base.clip = Some(scissor);
         let function = SourceFunction::of(state);
         let extended = base.shade.specular || base.fog.is_some();
         let filtered = translate::filter(state) == Filter::Bilinear;
@@ -126,8 +164,62 @@ impl VeriteChip {
         let textured = function != SourceFunction::NoTexture;
         let binding = if textured { Binding::new(state, pitch) } else { None };
         let attributes = Attributes::new(state, filtered, extended);
-        let (texture, mode) = (None, None);
-        Prepared { base, function, attributes, scissor, binding, texture, mode, depth }
+        let (texture, mode, entered) = (None, None, false);
+        let scissor = windows.scissor();
+        let base = windows.state(&base);
+        Prepared {
+            base,
+            function,
+            attributes,
+            scissor,
+            windows,
+            entered,
+            binding,
+            texture,
+            mode,
+            depth,
+        }
+    }
+
+    /// Draws a command in each window of the destination.
+    #[inline]
+    pub(super) fn in_windows(&mut self, draw: impl Fn(&mut VeriteChip)) {
+        let Some(prepared) = self.prepare() else { return };
+        if prepared.windows.is_one() {
+            return draw(self);
+        }
+        let windows = prepared.windows;
+        for window in windows.all() {
+            if let Some(prepared) = self.prepare() {
+                prepared.select(window);
+            }
+            draw(self);
+        }
+    }
+
+    /// Makes the window the engine's target; false where that cannot be.
+    #[inline]
+    pub(super) fn enter(&mut self) -> bool {
+        match &self.prepared {
+            Some(prepared) if prepared.entered => true,
+            Some(prepared) => {
+                let (windows, at) = (prepared.windows, prepared.windows.window());
+                self.choose(&windows, at)
+            }
+            None => false,
+        }
+    }
+
+    #[cold]
+    fn choose(&mut self, windows: &Windows, at: Rect) -> bool {
+        let (color, depth) = windows.places();
+        let size = (at.x1 - at.x0, at.y1 - at.y0);
+        let room = 2 * windows.count();
+        let chosen = self.targets.choose(&mut self.memory, color, depth, size, room);
+        if let Some(prepared) = &mut self.prepared {
+            prepared.entered = chosen;
+        }
+        chosen
     }
 
     /// The mode of vertices of a layout.
@@ -229,11 +321,26 @@ impl VeriteChip {
         if drawn.is_empty() {
             return;
         }
+        let at = prepared.windows.origin();
+        if at == [0, 0] {
+            return self.launch_here(mode, corners, &drawn);
+        }
+        let moved = corners.map(|corner| corner.moved(at));
+        self.launch_here(mode, [&moved[0], &moved[1], &moved[2]], &window::moved(&drawn, at));
+    }
+
+    /// Draws a triangle whose places are the window's, as its pixels `drawn`.
+    #[inline]
+    fn launch_here(&mut self, mode: Mode, corners: [&Corner; 3], drawn: &Rect) {
+        if !self.enter() {
+            return;
+        }
+        let Some(prepared) = &self.prepared else { return };
         let depth = prepared.depth;
         let extended = prepared.attributes.extended;
         let range = self.range(mode, &corners.map(|corner| *corner));
         self.set_mode(mode, range);
-        self.targets.drawn(&drawn, depth);
+        self.targets.drawn(drawn, depth);
         let origin = self.origin();
         let engine = &mut self.targets.engine;
         match origin {
@@ -267,6 +374,11 @@ impl VeriteChip {
             return;
         }
         let (depth, extended) = (prepared.depth, prepared.attributes.extended);
+        let [left, top] = prepared.windows.origin();
+        let (x, y) = (x - left, y - top);
+        if !self.enter() {
+            return;
+        }
         let range = self.range(mode, std::slice::from_ref(values));
         self.set_mode(mode, range);
         self.targets.drawn(&Rect::new(x, y, x + 1, y + 1), depth);

@@ -12,6 +12,7 @@ mod target;
 mod texture;
 mod transfer;
 mod translate;
+mod window;
 
 pub(crate) use state::State;
 
@@ -25,6 +26,10 @@ use self::texture::TextureCache;
 use crate::config::RedlineConfig;
 use crate::opcode::Opcode;
 use crate::stream::{Command, Commands};
+
+/// The number of a frame marker that breaks off, for tests of what follows.
+#[cfg(test)]
+pub(crate) const BROKEN_FRAME: u32 = 0x0bad_f4a3;
 
 /// What is on the screen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -68,11 +73,29 @@ impl VeriteChip {
         })
     }
 
-    /// Carries out a stream that has been checked; stops at an error.
-    pub fn execute(&mut self, words: &[u32]) {
-        for command in Commands::new(words, self.config.chip).map_while(Result::ok) {
+    /// Carries out a stream that has been checked, from word `at` on; stops at
+    /// an error. `at` is always the word of the command being carried out.
+    pub fn execute(&mut self, words: &[u32], at: &mut usize) {
+        let mut commands = Commands::starting(words, *at, self.config.chip);
+        while let Some(Ok(command)) = commands.next() {
             self.command(command);
+            *at = commands.position();
         }
+    }
+
+    /// Passes a command.
+    pub fn skip(&self, words: &[u32], at: &mut usize) {
+        let mut commands = Commands::starting(words, *at, self.config.chip);
+        commands.next();
+        *at = commands.position();
+    }
+
+    /// Makes the chip usable after a command broke off: what the engine had
+    /// drawn is saved if that can be done, and the engine is started anew.
+    pub fn recover(&mut self) {
+        self.invalidate();
+        self.textures = TextureCache::default();
+        self.targets.recover(&mut self.memory);
     }
 
     fn command(&mut self, command: Command<'_>) {
@@ -91,7 +114,7 @@ impl VeriteChip {
                 self.invalidate();
             }
             Command::Draw { opcode, vertex, head, vertices } => {
-                self.draw(opcode, vertex, head, vertices);
+                self.in_windows(|chip| chip.draw(opcode, vertex, head, vertices));
             }
             Command::Other { opcode, flags, words } => self.other(opcode, flags, words),
         }
@@ -111,14 +134,31 @@ impl VeriteChip {
             Opcode::MemWriteRect => self.mem_write_rect(words),
             Opcode::MemClearRect => self.mem_clear_rect(words),
             Opcode::MemWriteSprite => self.mem_write_sprite(words),
+            Opcode::Bitblt => self.bitblt(words),
+            Opcode::Bitfill => self.bitfill(words),
+            #[cfg(test)]
+            Opcode::FrameMarker if words[1] == BROKEN_FRAME => panic!("asked for by a test"),
+            // The display switches at once, and nobody reads timers, markers or
+            // a palette that a 16-bit display does not use.
+            Opcode::WaitDisplaySwitch
+            | Opcode::SyncAndRespond
+            | Opcode::RleHack
+            | Opcode::Palette
+            | Opcode::TimerFuncs
+            | Opcode::FrameMarker => {}
+            _ => self.in_windows(|chip| chip.draw_other(opcode, flags, words)),
+        }
+    }
+
+    /// Commands that draw without vertices.
+    fn draw_other(&mut self, opcode: Opcode, flags: u32, words: &[u32]) {
+        match opcode {
             Opcode::IntLine => self.int_line(flags & 1 != 0, words[0], words[1]),
             Opcode::IntPolyline => self.int_polyline(flags & 1 != 0, &words[1..]),
             Opcode::TriFill => self.triangle_fill(words),
             Opcode::Affine => self.affine(words),
             Opcode::Warp => self.warp(words),
             Opcode::Particles => self.particles(words),
-            Opcode::Bitblt => self.bitblt(words),
-            Opcode::Bitfill => self.bitfill(words),
             Opcode::BitbltMem => self.bitblt_mem(words),
             Opcode::Lookup => self.lookup(words),
             Opcode::CompositeRect => self.composite_rect(words),
@@ -127,8 +167,6 @@ impl VeriteChip {
             | Opcode::FtriKfxyzuvq
             | Opcode::FtriKsxyz
             | Opcode::FtriKsxyzuvq => self.fast_triangle(opcode, words),
-            // The display switches at once, and nobody reads timers, markers or
-            // a palette that a 16-bit display does not use.
             _ => {}
         }
     }

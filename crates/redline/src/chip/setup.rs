@@ -38,6 +38,13 @@ pub(crate) struct Corner {
     pub wide: [f64; 3],
 }
 
+impl Corner {
+    /// The same corner where pixel `at` is the first one.
+    pub fn moved(&self, [x, y]: [u32; 2]) -> Corner {
+        Corner { x: self.x - (x << 4) as i32, y: self.y - (y << 4) as i32, ..*self }
+    }
+}
+
 /// What vertices are read with: defaults of attributes that a type lacks, and
 /// what becomes of texture coordinates.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

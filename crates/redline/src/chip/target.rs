@@ -7,6 +7,8 @@
 //! residents, and whoever writes bytes brings residents up to date, so a
 //! resident is never older than memory.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 use fillrate_engine::state::{Dither, Rect};
 use fillrate_engine::target::unpack as unpack_element;
 use fillrate_engine::{
@@ -17,9 +19,7 @@ use super::area::Area;
 use super::memory::VideoMemory;
 use crate::format::{PixFmt, swap_red_blue};
 
-/// Columns and rows that can be drawn: coordinates of the engine have 12 bits.
-pub(crate) const MAX_SIDE: u32 = 2048;
-/// Residents at a time.
+/// Residents at a time, where the destination has no more windows.
 const MAX_RESIDENTS: usize = 8;
 /// Surfaces made before the engine is started again, to get its handles back.
 const MAX_SURFACES: u32 = 4096;
@@ -79,6 +79,13 @@ impl Place {
         self.pitch / self.kind.bytes()
     }
 
+    /// The place that begins with one of this one's pixels.
+    pub fn at(&self, [x, y]: [u32; 2]) -> Place {
+        let offset = u64::from(y) * u64::from(self.pitch) + u64::from(x * self.kind.bytes());
+        let base = u32::try_from(u64::from(self.base) + offset).unwrap_or(u32::MAX);
+        Place { base, ..*self }
+    }
+
     /// Rows that begin inside `memory` bytes and end there.
     pub fn rows(&self, columns: u32, memory: u32) -> u32 {
         let row = columns * self.kind.bytes();
@@ -89,9 +96,20 @@ impl Place {
     }
 }
 
+/// What the target's depth buffer is to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum DepthBuffer {
+    /// It does not matter.
+    Unused,
+    /// There is none, though depths are tested or written.
+    Missing,
+    /// It lies here.
+    At(Place),
+}
+
 /// An area of memory in the engine's hands.
 #[derive(Clone, Debug)]
-struct Resident {
+pub(crate) struct Resident {
     place: Place,
     /// Size of the engine's surface.
     width: u32,
@@ -151,6 +169,8 @@ pub(crate) struct Targets {
     pub engine: Device,
     config: DeviceConfig,
     residents: Vec<Resident>,
+    /// The most of them.
+    room: usize,
     /// The engine's target.
     color: Option<SurfaceId>,
     depth: Option<SurfaceId>,
@@ -170,6 +190,7 @@ impl Targets {
             engine: Device::new(config.clone())?,
             config: config.clone(),
             residents: Vec::new(),
+            room: MAX_RESIDENTS,
             color: None,
             depth: None,
             made: 0,
@@ -185,16 +206,19 @@ impl Targets {
         all
     }
 
-    /// Makes `color`, and `depth` where there is one, the engine's target of
-    /// `width` x `height` pixels at least. False where nothing can be drawn.
+    /// Makes `color`, with `depth`, the engine's target of
+    /// `width` x `height` pixels at least, one of `room` that are used by turns.
+    /// False where nothing can be drawn.
     pub fn choose(
         &mut self,
         memory: &mut VideoMemory,
         color: Place,
-        depth: Option<Place>,
+        depth: DepthBuffer,
         (width, height): (u32, u32),
+        room: usize,
     ) -> bool {
         self.clock += 1;
+        self.room = room.max(MAX_RESIDENTS);
         if self.made >= MAX_SURFACES {
             self.restart(memory);
         }
@@ -203,18 +227,14 @@ impl Targets {
         };
         let at = self.residents.iter().position(|r| r.surface == surface).unwrap_or(0);
         let size = (self.residents[at].width, self.residents[at].height);
-        let area = self.residents[at].area;
-        let depth = depth.and_then(|place| {
-            let over = Resident::area_of(&place, size, memory.len());
-            // A depth buffer within the destination cannot be both.
-            if over.overlaps(&area) { None } else { self.resident(memory, place, size, true) }
-        });
-        // A depth buffer that is not asked for stays where it is: changing the
-        // target would draw all that waits.
-        let depth = depth.or_else(|| {
-            let kept = self.depth.filter(|_| self.color == Some(surface))?;
-            self.residents.iter().any(|r| r.surface == kept).then_some(kept)
-        });
+        let depth = match depth {
+            DepthBuffer::At(place) => self.resident(memory, place, size, true),
+            DepthBuffer::Missing => None,
+            // Changing the target would draw all that waits.
+            DepthBuffer::Unused => self.depth.filter(|&kept| {
+                self.color == Some(surface) && self.residents.iter().any(|r| r.surface == kept)
+            }),
+        };
         let set = self.engine.set_target(surface, depth).is_ok();
         (self.color, self.depth) = (set.then_some(surface), depth);
         set
@@ -240,7 +260,7 @@ impl Targets {
         }
         let area = Resident::area_of(&place, (width, height), memory.len());
         self.drop_residents(memory, |r| r.place == place || r.area.overlaps(&area));
-        while self.residents.len() >= MAX_RESIDENTS {
+        while self.residents.len() >= self.room {
             let oldest = self.residents.iter().map(|r| r.used).min();
             self.drop_residents(memory, |r| Some(r.used) == oldest);
         }
@@ -277,6 +297,26 @@ impl Targets {
             self.engine = engine;
             self.made = 0;
         }
+    }
+
+    /// Starts over after the engine broke off. Pixels that it still gives are
+    /// written back.
+    pub fn recover(&mut self, memory: &mut VideoMemory) {
+        for at in 0..self.residents.len() {
+            let save = AssertUnwindSafe(|| self.write_back(memory, at));
+            if catch_unwind(save).is_err() {
+                let Area { base, rows, .. } = self.residents[at].area;
+                eprintln!("fillrate: RRedline: pixels drawn at {base:#x}, {rows} rows, are lost");
+            }
+        }
+        let counters = catch_unwind(AssertUnwindSafe(|| self.counters()));
+        if let Ok(engine) = Device::new(self.config.clone()) {
+            self.counters = counters.unwrap_or(self.counters);
+            self.engine = engine;
+            self.made = 0;
+        }
+        self.residents.clear();
+        (self.color, self.depth) = (None, None);
     }
 
     /// Copies pixels from memory into a resident's surface.
@@ -393,7 +433,7 @@ impl Targets {
 
 impl Resident {
     /// The memory behind a surface of this size.
-    fn area_of(place: &Place, (width, height): (u32, u32), memory: u32) -> Area {
+    pub fn area_of(place: &Place, (width, height): (u32, u32), memory: u32) -> Area {
         let columns = width.min(place.columns());
         let rows = height.min(place.rows(columns, memory));
         let row = columns * place.kind.bytes();

@@ -119,7 +119,8 @@ fn surfaces_that_cannot_be() {
     assert_eq!(try_one(0, 1, 7, 16, 16), Err(vec![550, 603]), "no format");
     assert_eq!(try_one(0, 0, 4, 16, 16), Err(vec![501, 601]), "no buffers");
     assert_eq!(try_one(0, 1, 4, 0, 16), Err(vec![501, 601]), "no columns");
-    assert_eq!(try_one(0, 1, 4, 64, 65_536), Err(vec![561, 633]), "too much memory");
+    assert_eq!(try_one(0, 1, 4, 64, 65_535), Err(vec![561, 633]), "too much memory");
+    assert_eq!(try_one(0, 1, 4, 64, 65_536), Err(vec![501, 601]), "rows beyond the scissor");
     assert_eq!(try_one(0, 1, 4, 64, u32::MAX), Err(vec![501, 601]), "too many rows");
     assert!(try_one(0, 1, 12, 64, 8).is_ok());
     still_works(&mut board);

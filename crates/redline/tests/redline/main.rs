@@ -12,3 +12,4 @@ mod plane;
 mod random;
 mod raw;
 mod streams;
+mod window;

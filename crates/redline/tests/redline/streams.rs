@@ -367,3 +367,20 @@ fn pictures_do_not_depend_on_how_it_is_issued() {
         assert!(pictures[0] == pictures[1] && pictures[0] == pictures[2], "case {case}");
     }
 }
+
+/// A stream with several flips falls into parts that show a frame each.
+#[test]
+fn streams_fall_into_frames() {
+    let (chip, flip, wait) = (Chip::V1000, [4, 0x1000], [6]);
+    let fill = [31, 0, 0x5_0005];
+    let stream = |parts: &[&[u32]]| parts.concat();
+    let (first, second) =
+        (stream(&[&fill, &flip, &wait, &fill]), stream(&[&flip, &fill, &[5, 1, 2]]));
+    let whole = stream(&[&first, &second, &fill]);
+    let frames = fillrate_redline::stream::frames(&whole, chip);
+    assert_eq!(frames, [&first[..], &second[..5], &whole[first.len() + 5..]]);
+    assert_eq!(fillrate_redline::stream::switches(&whole, chip), Ok(3));
+    assert_eq!(fillrate_redline::stream::frames(&fill, chip), [&fill]);
+    assert_eq!(fillrate_redline::stream::frames(&[], chip), [&[0u32; 0]]);
+    assert!(fillrate_redline::stream::switches(&[4], chip).is_err());
+}
