@@ -98,30 +98,32 @@ fn scaled<const N: usize>(values: [f32; N], fraction: u32, one: fn(f32) -> i32) 
     out
 }
 
-/// [`wide`] of several values at once.
+/// Floats below it in magnitude hold every integer, with room for sums.
+const WIDE_LIMIT: f64 = (1u64 << 51) as f64;
+
+/// [`wide`] of several values at once, as floats; not-a-number where it is 2^51 or
+/// more in magnitude.
 #[inline(always)]
-pub(crate) fn wide_lanes<const N: usize>(values: [f32; N]) -> [i64; N] {
-    // Added to a float below 2^52 this leaves its integer in the mantissa.
+pub(crate) fn wide_floats<const N: usize>(values: [f32; N]) -> [f64; N] {
+    // Added to a float below 2^52 this leaves no fraction.
     const TO_INTEGER: f64 = (1u64 << 52) as f64;
-    let mut out = [0; N];
-    let mut fits = true;
+    let mut out = [0.0; N];
     for (out, value) in out.iter_mut().zip(values) {
         let scaled = f64::from(value) * (1u64 << WIDE_FRACTION) as f64;
         let magnitude = scaled.abs();
-        fits &= magnitude < TO_INTEGER;
         // To the nearest integer, then down where that was up.
         let nearest = (magnitude + TO_INTEGER) - TO_INTEGER;
         let below = if nearest > magnitude { nearest - 1.0 } else { nearest };
-        let integer = (below + TO_INTEGER).to_bits() as i64 - TO_INTEGER.to_bits() as i64;
-        let sign = scaled.to_bits() as i64 >> 63;
-        *out = (integer ^ sign) - sign;
-    }
-    if !fits {
-        for (out, value) in out.iter_mut().zip(values) {
-            *out = wide(value);
-        }
+        *out = if magnitude < WIDE_LIMIT { below.copysign(scaled) } else { f64::NAN };
     }
     out
+}
+
+/// An integer as a float; not-a-number where it is 2^51 or more in magnitude.
+#[inline(always)]
+pub(crate) fn to_float(value: i64) -> f64 {
+    let float = value as f64;
+    if float.abs() < WIDE_LIMIT { float } else { f64::NAN }
 }
 
 /// Floats below it in magnitude truncate to an `i32`.
@@ -145,10 +147,12 @@ mod tests {
             assert_eq!(coordinates(*four), four.map(coord), "{four:?}");
             assert_eq!(twelve_bits(*four), four.map(color), "{four:?}");
             assert_eq!(twelve_bits(*four), four.map(depth), "{four:?}");
-            assert_eq!(wide_lanes(*four), four.map(wide), "{four:?}");
         }
         for one in values {
-            assert_eq!(wide_lanes([one]), [wide(one)], "{one}");
+            let ([float], integer) = (wide_floats([one]), wide(one));
+            let fits = f64::from(one).abs() < WIDE_LIMIT / (1u64 << 32) as f64;
+            assert!(if fits { (float as i64) == integer } else { float.is_nan() }, "{one}");
+            assert!(to_float(integer).is_nan() || (to_float(integer) as i64) == integer);
             assert_eq!(twelve_bits([one]), [color(one)], "{one}");
         }
     }

@@ -4,8 +4,8 @@
 //! [`Texture`]s, a [`DrawState`] as a plain value, and triangles given either
 //! as [`Vertex`] triples (the engine does the set-up of the chosen chip) or as
 //! [`Registers`] (the caller did it). A [`Device`] collects commands and draws
-//! them at explicit flush points, tile by tile on all its threads, with the
-//! same bits and counts for every thread count, tile size and SIMD level.
+//! them in batches, tile by tile on all its threads and behind the caller, with
+//! the same bits and counts for every thread count, tile size and SIMD level.
 //!
 //! Data flows one way: command arena -> set-up -> bins -> tiles -> stages of
 //! the fragment pipeline -> surface. Reading a surface or a counter is a flush.
@@ -19,6 +19,7 @@ pub mod target;
 pub mod texture;
 
 mod bins;
+mod crew;
 mod device;
 mod error;
 mod kernel;

@@ -28,15 +28,17 @@ pub struct Shown {
 impl Board {
     /// Fills the clip window of the buffer drawn to, by the current masks.
     ///
-    /// Source: G246, `grBufferClear`; the aux plane takes alpha where it holds
-    /// alpha, else depth where depth buffering is on.
+    /// Source: G246, `grBufferClear`; SST1, fastfillCMD: the aux plane takes alpha
+    /// where it holds alpha, else depth where depth buffering is on, else what
+    /// the register has, which is the depth bias.
     pub(crate) fn clear(&mut self, color: u32, alpha: u8, depth: u16) {
         self.update();
         let on = |bit: u32| self.fbi.fbz_mode & bit != 0;
         let aux = match (on(fbz::AUX_WRITE), on(fbz::ALPHA_PLANES), on(fbz::DEPTH_ENABLE)) {
             (true, true, _) => Some(u32::from(alpha)),
             (true, false, true) => Some(u32::from(depth)),
-            _ => None,
+            (true, false, false) => Some(self.fbi.za_color & 0xffff),
+            (false, ..) => None,
         };
         let color = on(fbz::RGB_WRITE).then(|| (self.color(color), self.dither()));
         self.fill(ClearValues { color, aux });
@@ -78,7 +80,7 @@ impl Board {
     pub(crate) fn swap(&mut self, interval: u32) {
         // What was stored so far belongs to the buffer it was stored into.
         self.commit(self.screen());
-        self.device.flush(FlushReason::Swap);
+        self.device.submit(FlushReason::Swap);
         if let Some(buffers) = &mut self.buffers {
             buffers.colors.rotate_left(1);
             self.swaps += 1;

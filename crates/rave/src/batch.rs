@@ -79,7 +79,7 @@ const MAX_TRIANGLES: usize = 1 << 10;
 
 impl Batch {
     /// Adds a triangle without further values.
-    #[inline]
+    #[inline(always)]
     pub fn triangle(&mut self, corners: [Vertex; 3]) {
         self.triangles.push(corners);
         match self.commands.last_mut() {

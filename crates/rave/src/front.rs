@@ -105,8 +105,12 @@ impl Shown {
     /// The elements of a picture as bytes.
     pub(crate) fn new(width: u32, height: u32, pixel_type: PixelType, elements: &[u32]) -> Shown {
         let bytes = pixel_type.bits() as usize / 8;
-        let pixels = elements.iter().flat_map(|e| e.to_le_bytes().into_iter().take(bytes));
-        Shown { width, height, pixel_type, pixels: pixels.collect() }
+        let pixels = match bytes {
+            2 => elements.iter().flat_map(|&e| (e as u16).to_le_bytes()).collect(),
+            4 => elements.iter().flat_map(|&e| e.to_le_bytes()).collect(),
+            _ => elements.iter().flat_map(|e| e.to_le_bytes().into_iter().take(bytes)).collect(),
+        };
+        Shown { width, height, pixel_type, pixels }
     }
 
     /// The pixels as red, green, blue and alpha.

@@ -267,8 +267,14 @@ impl Painter {
         let Some(target) = self.targets.get(&context).copied() else { return Vec::new() };
         let Ok(surface) = self.device.surface(target.color) else { return Vec::new() };
         let mut out = Vec::with_capacity(rect.area() as usize);
+        let mut row = vec![0; rect.x1 as usize];
         for y in rect.y0..rect.y1 {
-            out.extend((rect.x0..rect.x1).map(|x| sample(surface, &target, x, y)));
+            if target.scale == 1 {
+                surface.read_row(y, &mut row);
+                out.extend_from_slice(&row[rect.x0 as usize..]);
+            } else {
+                out.extend((rect.x0..rect.x1).map(|x| sample(surface, &target, x, y)));
+            }
         }
         out
     }
@@ -353,13 +359,17 @@ impl Painter {
     }
 }
 
-/// Shows a rectangle as it is.
+/// Shows a rectangle as it is; it lies inside both.
 fn copy_rows(surface: &Surface, front: &mut Front, rect: &RaveRect) {
-    let columns = rect.left as usize..rect.right as usize;
+    let (left, right) = (rect.left as usize, rect.right as usize);
+    let mut scratch = vec![0; if left > 0 { right } else { 0 }];
     let rows = front.elements.chunks_exact_mut(front.width as usize).enumerate();
     for (y, row) in rows.skip(rect.top as usize).take(rect.height() as usize) {
-        for (x, element) in (rect.left as u32..).zip(&mut row[columns.clone()]) {
-            *element = surface.get(x, y as u32);
+        if left == 0 {
+            surface.read_row(y as u32, &mut row[..right]);
+        } else {
+            surface.read_row(y as u32, &mut scratch);
+            row[left..right].copy_from_slice(&scratch[left..]);
         }
     }
 }

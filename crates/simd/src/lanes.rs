@@ -19,6 +19,8 @@ pub trait Kernel {
 pub trait Simd: Copy + Send + Sync + 'static {
     /// 32-bit lanes in a vector: 4, 8 or 16.
     const LANES: usize;
+    /// Lanes are computed one by one, so that leaving a vector out pays.
+    const ONE_BY_ONE: bool = false;
     /// Which level this is.
     const LEVEL: Level;
     /// 32-bit integers, also seen as pairs of 16-bit integers.
@@ -61,6 +63,16 @@ pub trait Simd: Copy + Send + Sync + 'static {
     fn mask(self, bits: u32) -> Self::M;
     /// Entry `index & 15` of `table`, lane by lane.
     fn lookup16(self, table: &[i32; 16], index: Self::I) -> Self::I;
+    /// Entry `index & 63` of `table`, lane by lane.
+    #[inline(always)]
+    fn lookup64(self, table: &[i32; 64], index: Self::I) -> Self::I {
+        let mut at = [0; crate::MAX_LANES];
+        self.store(index, &mut at);
+        for at in &mut at[..Self::LANES] {
+            *at = table[(*at & 63) as usize];
+        }
+        self.load(&at)
+    }
     /// The low and the high halves of `table[min(index, last)]`, lane by lane,
     /// the index taken as unsigned.
     ///

@@ -12,12 +12,9 @@
 //! bits; [`Scalar`] is the definition of each operation, and the tests compare
 //! every other level with it.
 //!
-//! [`Crew`] is the threads that kernels run on.
-//!
 //! This crate holds all `unsafe` code of the engine. A token of a level exists
 //! only where the processor was found to have it, so everything above is safe.
 
-mod crew;
 mod lanes;
 mod level;
 mod scalar;
@@ -31,7 +28,6 @@ mod wasm;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub use crew::Crew;
 pub use lanes::{FloatLanes, IntLanes, Kernel, MaskLanes, Simd, SingleLanes};
 pub use level::{Level, UnknownLevel};
 pub use scalar::Scalar;

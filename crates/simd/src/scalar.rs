@@ -47,6 +47,7 @@ fn halves(a: I4, b: I4, f: impl Fn(i16, i16) -> i16) -> I4 {
 
 impl Simd for Scalar {
     const LANES: usize = N;
+    const ONE_BY_ONE: bool = true;
     const LEVEL: Level = Level::Scalar;
     type I = I4;
     type F = F4;

@@ -102,7 +102,7 @@ impl Drawing for Surfaces {
                     self.device.draw_triangle([a, b, c], Cull::Disabled);
                 }
             }
-            self.device.flush(FlushReason::Swap);
+            self.device.submit(FlushReason::Swap);
         }
     }
 

@@ -148,9 +148,15 @@ fn memory_checker_is_content() {
         return;
     }
     let folder = tempfile::tempdir().expect("a temporary folder");
-    for (name, argument) in
-        [("memory", "separate"), ("memory", "video"), ("memory", "frame"), ("engines", "")]
-    {
+    for (name, argument) in [
+        ("memory", "separate"),
+        ("memory", "video"),
+        ("memory", "frame"),
+        ("engines", ""),
+        ("order", "1"),
+        ("devices", ""),
+        ("late", ""),
+    ] {
         let file = root().join(format!("tests/c/rave/{name}.c"));
         let direct = program(&file, folder.path());
         let mut command = Command::new("valgrind");

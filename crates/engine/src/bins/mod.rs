@@ -5,11 +5,12 @@
 //! order, so submission order is kept whoever worked on what.
 
 use core::ops::Range;
+use std::sync::Arc;
 
-use crate::device::arena::{Arena, Command, Run};
+use crate::device::arena::{Arena, BatchState, Command, Run};
 use crate::setup::{
-    Edge, Extra, ExtraNeeds, Fate, Launch, RawShape, Registers, Screen, Shape, Triangle, Triangles,
-    Values, prepare, prepare_extra, prepare_palette, prepare_raw, set_up,
+    Edge, Extra, ExtraNeeds, Fate, Launch, RawShape, Registers, Screen, Shape, Sorted, Triangle,
+    Triangles, Values, prepare, prepare_extra, prepare_palette, prepare_raw, set_up,
 };
 use crate::state::Rect;
 use crate::stats::Counters;
@@ -29,7 +30,7 @@ pub(crate) enum Entry {
 }
 
 /// The tiles of a target.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Grid {
     /// log2 of a tile's side.
     pub bits: u32,
@@ -58,8 +59,10 @@ impl Grid {
     }
 }
 
-/// A part of the arena, set up and binned.
+/// A part of the arena, set up and binned. Its fields change with every triangle,
+/// so it shares no cache line with the chunk that another worker builds.
 #[derive(Debug, Default)]
+#[repr(align(128))]
 pub(crate) struct Chunk {
     pub triangles: Triangles,
     pub shapes: Vec<Shape>,
@@ -67,6 +70,8 @@ pub(crate) struct Chunk {
     /// What walks of the Raw profile begin rows of tiles with.
     pub raw_rows: Vec<f32>,
     pub counters: Counters,
+    /// What is known of each command's triangle before its set-up.
+    sorted: Vec<Sorted>,
     pairs: Vec<(u32, Entry)>,
     starts: Vec<u32>,
     entries: Vec<Entry>,
@@ -75,7 +80,13 @@ pub(crate) struct Chunk {
 impl Chunk {
     /// Sets up and bins `commands`.
     #[inline(always)]
-    pub fn build(&mut self, arena: &Arena, commands: Range<usize>, grid: &Grid) {
+    pub fn build(
+        &mut self,
+        arena: &Arena,
+        states: &[Arc<BatchState>],
+        commands: Range<usize>,
+        grid: &Grid,
+    ) {
         self.triangles.clear();
         self.shapes.clear();
         self.raws.clear();
@@ -83,22 +94,27 @@ impl Chunk {
         self.pairs.clear();
         self.counters = Counters::default();
         let mut launch = Launch::default();
-        for command in &arena.commands[commands] {
+        let commands = &arena.commands[commands];
+        self.sort_corners(arena, commands);
+        for (i, command) in commands.iter().enumerate() {
             match *command {
-                Command::Triangle { vertices, cull, state } => {
-                    let [a, b, c] = &arena.vertices[vertices as usize];
+                Command::Triangle { vertices, state, .. } => {
+                    let sorted = self.sorted[i];
                     self.counters.triangles_in += 1;
-                    let units = arena.states[state].pipeline.unit_count;
-                    if set_up([a, b, c], cull, units, &mut launch) == Fate::Drawn {
+                    let batch = &states[state as usize];
+                    let units = batch.pipeline.unit_count;
+                    if sorted.fate == Fate::Drawn {
                         self.counters.triangles_drawn += 1;
-                        self.launch(arena, &launch, None, state, grid);
+                        set_up(arena.vertices.get(vertices), &sorted, units, &mut launch);
+                        self.launch(batch, &launch, None, state, grid);
                     }
                 }
                 Command::Launch { registers, state } => {
                     self.counters.triangles_in += 1;
                     self.counters.triangles_drawn += 1;
                     let registers = &arena.registers[registers as usize];
-                    self.launch(arena, &Launch::from(registers), Some(registers), state, grid);
+                    let batch = &states[state as usize];
+                    self.launch(batch, &Launch::from(registers), Some(registers), state, grid);
                 }
                 Command::Palette { primitive, state } => {
                     self.counters.triangles_in += 1;
@@ -122,16 +138,29 @@ impl Chunk {
         self.sort(grid.len());
     }
 
+    /// Sorts the corners of all triangles and divides by their areas: many at a
+    /// time, since none waits for another one's result.
+    #[inline(always)]
+    fn sort_corners(&mut self, arena: &Arena, commands: &[Command]) {
+        self.sorted.clear();
+        self.sorted.extend(commands.iter().map(|command| match *command {
+            Command::Triangle { vertices, cull, .. } => {
+                let [a, b, c] = arena.vertices.get(vertices);
+                Sorted::new([a, b, c], cull)
+            }
+            _ => Sorted::default(),
+        }));
+    }
+
     #[inline(always)]
     fn launch(
         &mut self,
-        arena: &Arena,
+        batch: &BatchState,
         launch: &Launch,
         registers: Option<&Registers>,
         state: u32,
         grid: &Grid,
     ) {
-        let batch = &arena.states[state];
         let units = batch.pipeline.unit_count;
         let index = self.triangles.list.len() as u32;
         let screen = &batch.screen;
@@ -247,11 +276,13 @@ fn add_edges(
     grid: &Grid,
 ) {
     let (columns, rows) = grid.touched(bounds);
-    let single = columns.len() == 1 && rows.len() == 1;
+    if columns.len() == 1 && rows.len() == 1 {
+        return pairs.push((rows.start * grid.across + columns.start, entry));
+    }
     for row in rows {
         for column in columns.clone() {
             let tile = row * grid.across + column;
-            if single || touches(edges, &grid.tile(tile as usize)) {
+            if touches(edges, &grid.tile(tile as usize)) {
                 pairs.push((tile, entry));
             }
         }
@@ -286,7 +317,7 @@ mod tests {
         }
         let mut chunk = Chunk::default();
         for _ in 0..2 {
-            chunk.build(&arena, 0..3, &grid);
+            chunk.build(&arena, &[], 0..3, &grid);
             assert_eq!(chunk.tile(0), [Entry::Clear(0), Entry::Clear(2)]);
             assert_eq!(chunk.tile(5), [Entry::Clear(0), Entry::Clear(1), Entry::Clear(2)]);
             assert_eq!(chunk.tile(11), [Entry::Clear(0)]);

@@ -12,8 +12,9 @@ impl Device {
     /// [`EngineError::UnknownSurface`].
     pub fn surface(&mut self, id: SurfaceId) -> Result<&mut Surface, EngineError> {
         if self.color == Some(id) || self.aux == Some(id) {
-            self.flush(FlushReason::Access);
+            self.submit(FlushReason::Access);
         }
+        self.complete_for(id);
         let surface = self.surfaces.get_mut(id.0 as usize).and_then(Option::as_mut);
         surface.ok_or(EngineError::UnknownSurface)
     }

@@ -1,6 +1,6 @@
 //! The command arena: what was asked for and not drawn yet.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use rustc_hash::FxHashMap;
 
@@ -59,7 +59,7 @@ pub(crate) struct Pixel {
 pub(crate) struct BatchState {
     pub pipeline: Pipeline,
     /// The stages for ready-made fragments, once there are any.
-    pub pixel_pipeline: Option<Box<Pipeline>>,
+    pub pixel_pipeline: OnceLock<Box<Pipeline>>,
     /// Of the colour surface.
     pub format: PixelFormat,
     pub screen: Screen,
@@ -79,7 +79,7 @@ impl BatchState {
         let screen = Screen { width, height, origin: state.origin, scale };
         BatchState {
             pipeline: Pipeline::new(state, textures, target.format(), aux),
-            pixel_pipeline: None,
+            pixel_pipeline: OnceLock::new(),
             format: target.format(),
             screen,
             clip: screen_clip(state, &screen),
@@ -116,10 +116,10 @@ struct TargetShape {
 /// alive.
 type StateKey = (DrawState, [usize; MAX_TMUS]);
 
-/// The draw states in use, each compiled once.
+/// The draw states in use, each compiled once. Batches share them.
 #[derive(Debug, Default)]
 pub(crate) struct States {
-    list: Vec<BatchState>,
+    list: Vec<Arc<BatchState>>,
     index: FxHashMap<StateKey, u32>,
     shape: Option<TargetShape>,
 }
@@ -149,12 +149,12 @@ impl States {
             return index;
         }
         let index = self.list.len() as u32;
-        self.list.push(BatchState::new(state, textures, target, aux, scale));
+        self.list.push(Arc::new(BatchState::new(state, textures, target, aux, scale)));
         self.index.insert(key, index);
         index
     }
 
-    /// Forgets all of them; no command may refer to one.
+    /// Forgets all of them; no waiting command may refer to one.
     pub fn clear(&mut self) {
         self.list.clear();
         self.index.clear();
@@ -165,8 +165,9 @@ impl States {
         self.list.len()
     }
 
-    pub fn get_mut(&mut self, index: u32) -> &mut BatchState {
-        &mut self.list[index as usize]
+    /// All of them, by index.
+    pub fn list(&self) -> &[Arc<BatchState>] {
+        &self.list
     }
 }
 
@@ -178,16 +179,47 @@ impl core::ops::Index<u32> for States {
     }
 }
 
+/// Corners of triangles. The list keeps its length when it is emptied, so that a
+/// triangle is written where it stays.
+#[derive(Debug, Default)]
+pub(crate) struct Corners {
+    list: Vec<[Vertex; 3]>,
+    used: usize,
+}
+
+impl Corners {
+    /// A place for three corners, and its index.
+    #[inline(always)]
+    pub fn next(&mut self) -> (u32, &mut [Vertex; 3]) {
+        if self.used == self.list.len() {
+            self.grow();
+        }
+        let index = self.used;
+        self.used += 1;
+        (index as u32, &mut self.list[index])
+    }
+
+    #[cold]
+    fn grow(&mut self) {
+        let more = self.list.len().max(64);
+        self.list.resize(self.list.len() + more, Default::default());
+    }
+
+    #[inline(always)]
+    pub fn get(&self, index: u32) -> &[Vertex; 3] {
+        &self.list[index as usize]
+    }
+}
+
 /// Commands and their payloads, in submission order.
 #[derive(Debug, Default)]
 pub(crate) struct Arena {
     pub commands: Vec<Command>,
-    pub vertices: Vec<[Vertex; 3]>,
+    pub vertices: Corners,
     pub registers: Vec<Registers>,
     pub clears: Vec<Clear>,
     pub runs: Vec<Run>,
     pub pixels: Vec<Pixel>,
-    pub states: States,
     pub primitives: Vec<PalettePrimitive>,
     pub palettes: Vec<PaletteDraw>,
     pub raw_primitives: Vec<RawPrimitive>,
@@ -195,9 +227,9 @@ pub(crate) struct Arena {
 }
 
 /// Commands after which an arena is drawn without being asked.
-const MAX_COMMANDS: usize = 1 << 13;
+pub(super) const MAX_COMMANDS: usize = 1 << 13;
 /// Draw states after which it is.
-const MAX_STATES: usize = 1 << 12;
+pub(super) const MAX_STATES: usize = 1 << 12;
 /// Fragments after which it is.
 const MAX_PIXELS: usize = 1 << 20;
 
@@ -207,20 +239,21 @@ impl Arena {
     pub fn is_full(&self) -> bool {
         self.commands.len() >= MAX_COMMANDS
             || self.pixels.len() >= MAX_PIXELS
-            || self.states.len() >= MAX_STATES
             || self.palettes.len() >= MAX_STATES
             || self.raws.len() >= MAX_STATES
     }
 
-    /// Forgets everything but the states, and keeps the memory.
-    pub fn clear_commands(&mut self) {
+    /// Forgets everything, and keeps the memory.
+    pub fn clear(&mut self) {
         self.commands.clear();
-        self.vertices.clear();
+        self.vertices.used = 0;
         self.registers.clear();
         self.primitives.clear();
         self.raw_primitives.clear();
         self.clears.clear();
         self.runs.clear();
         self.pixels.clear();
+        self.palettes.clear();
+        self.raws.clear();
     }
 }

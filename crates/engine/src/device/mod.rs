@@ -3,16 +3,19 @@
 pub(crate) mod arena;
 
 mod access;
+mod batch;
 mod flush;
 mod palette;
 mod raw;
 
 use std::sync::Arc;
 
-use fillrate_simd::{Crew, Level};
+use fillrate_simd::Level;
 
-use self::arena::{Arena, Clear, Command, Pixel, Run};
-use crate::bins::Chunk;
+use self::arena::{Arena, Clear, Command, MAX_STATES, Pixel, Run, States};
+use self::batch::Batch;
+use self::flush::Targets;
+use crate::crew::Crew;
 use crate::error::EngineError;
 use crate::kernel::Pipeline;
 use crate::setup::{Cull, MAX_SCALE, Outcome, Registers, Vertex, VertexExtra, extended_triangle};
@@ -88,20 +91,25 @@ pub struct PixelRun<'a> {
 type CurrentState = (DrawState, [Option<Arc<Texture>>; MAX_TMUS]);
 
 /// A set of surfaces and the commands waiting to be drawn on them.
+///
+/// Drawing goes on behind the caller: [`Device::submit`] starts it, and so does a
+/// full arena. Whatever needs its result waits for it.
 #[derive(Debug)]
 pub struct Device {
     config: DeviceConfig,
-    /// Helpers besides the caller; none with one thread.
-    crew: Option<Crew>,
+    /// The batch that is drawn, and helpers; none with one thread.
+    crew: Crew<Batch>,
+    /// What that batch is drawn on, while it is.
+    in_flight: Option<Targets>,
     surfaces: Vec<Option<Surface>>,
     color: Option<SurfaceId>,
     aux: Option<SurfaceId>,
     arena: Arena,
-    chunks: Vec<Chunk>,
+    states: States,
     current: CurrentState,
     /// Surface pixels of a pixel that coordinates count.
     scale: u32,
-    /// Index of the current state's entry in the arena, once something used it.
+    /// Index of the current state in `states`, once something used it.
     state: Option<u32>,
     counters: Counters,
     flushes: FlushStats,
@@ -113,20 +121,17 @@ impl Device {
     /// # Errors
     /// [`EngineError::Threads`] where workers cannot be started.
     pub fn new(config: DeviceConfig) -> Result<Device, EngineError> {
-        let crew = match config.threads {
-            0 | 1 => None,
-            threads => Some(
-                Crew::new(threads - 1).map_err(|error| EngineError::Threads(error.to_string()))?,
-            ),
-        };
+        let crew = Crew::new(Batch::new(config.level), config.threads.saturating_sub(1))
+            .map_err(|error| EngineError::Threads(error.to_string()))?;
         Ok(Device {
             config,
             crew,
+            in_flight: None,
             surfaces: Vec::new(),
             color: None,
             aux: None,
             arena: Arena::default(),
-            chunks: Vec::new(),
+            states: States::default(),
             current: (DrawState::default(), [const { None }; MAX_TMUS]),
             scale: 1,
             state: None,
@@ -164,9 +169,10 @@ impl Device {
     pub fn destroy_surface(&mut self, id: SurfaceId) -> Result<(), EngineError> {
         self.peek(id)?;
         if self.color == Some(id) || self.aux == Some(id) {
-            self.flush(FlushReason::Target);
+            self.submit(FlushReason::Target);
             (self.color, self.aux) = (None, None);
         }
+        self.complete_for(id);
         self.surfaces[id.0 as usize] = None;
         Ok(())
     }
@@ -196,7 +202,7 @@ impl Device {
             }
         }
         if self.color != Some(color) || self.aux != aux {
-            self.flush(FlushReason::Target);
+            self.submit(FlushReason::Target);
             (self.color, self.aux) = (Some(color), aux);
             self.state = None;
         }
@@ -228,7 +234,7 @@ impl Device {
     pub fn set_scale(&mut self, scale: u32) {
         let scale = scale.clamp(1, MAX_SCALE);
         if self.scale != scale {
-            self.flush(FlushReason::Target);
+            self.submit(FlushReason::Target);
             self.scale = scale;
             self.state = None;
         }
@@ -237,10 +243,16 @@ impl Device {
     /// Draws a triangle by the current state, later.
     #[inline]
     pub fn draw_triangle(&mut self, [a, b, c]: [&Vertex; 3], cull: Cull) {
+        self.draw_triangle_made(cull, || [*a, *b, *c]);
+    }
+
+    /// The same with corners that are made where they are kept.
+    #[inline(always)]
+    pub fn draw_triangle_made(&mut self, cull: Cull, corners: impl FnOnce() -> [Vertex; 3]) {
         let Some(state) = self.use_state() else { return };
-        let index = self.arena.vertices.len() as u32;
-        self.arena.vertices.push([*a, *b, *c]);
-        self.arena.commands.push(Command::Triangle { vertices: index, cull, state });
+        let (vertices, place) = self.arena.vertices.next();
+        *place = corners();
+        self.arena.commands.push(Command::Triangle { vertices, cull, state });
     }
 
     /// Draws a triangle by the current state, later, with the second and third
@@ -274,7 +286,7 @@ impl Device {
     pub fn draw_pixels(&mut self, run: &PixelRun<'_>) {
         let Some(state) = self.use_state() else { return };
         let aux = self.aux_format();
-        let batch = self.arena.states.get_mut(state);
+        let batch = &self.states[state];
         let (width, height) = (batch.screen.width, batch.screen.height);
         if run.x >= width || run.y >= height {
             return;
@@ -283,9 +295,9 @@ impl Device {
         if count == 0 {
             return;
         }
-        batch.pixel_pipeline.get_or_insert_with(|| {
-            Box::new(Pipeline::for_pixels(&self.current.0, batch.format, aux))
-        });
+        batch
+            .pixel_pipeline
+            .get_or_init(|| Box::new(Pipeline::for_pixels(&self.current.0, batch.format, aux)));
         let y = match self.current.0.origin {
             Origin::UpperLeft => run.y,
             Origin::LowerLeft => height - 1 - run.y,
@@ -332,7 +344,7 @@ impl Device {
     #[inline]
     fn use_state(&mut self) -> Option<u32> {
         match self.state {
-            Some(state) if !self.arena.is_full() => Some(state),
+            Some(state) if !self.is_full() => Some(state),
             _ => self.find_state(),
         }
     }
@@ -346,14 +358,20 @@ impl Device {
         let (state, textures) = &self.current;
         let target = self.surfaces.get(self.color?.0 as usize)?.as_ref()?;
         let aux = self.aux_format();
-        let index = self.arena.states.find(state, textures, target, aux, self.scale);
+        let index = self.states.find(state, textures, target, aux, self.scale);
         self.state = Some(index);
         Some(index)
     }
 
+    /// Whether a batch should be drawn before more is added to the next.
+    #[inline]
+    fn is_full(&self) -> bool {
+        self.arena.is_full() || self.states.len() >= MAX_STATES
+    }
+
     fn make_room(&mut self) {
-        if self.arena.is_full() {
-            self.flush(FlushReason::Full);
+        if self.is_full() {
+            self.submit(FlushReason::Full);
         }
     }
 

@@ -100,6 +100,12 @@ pub(crate) fn put_bits<S: Simd>(live: &mut u16, j: usize, bits: u32) {
     *live = (*live & !lanes as u16) | (bits << j) as u16;
 }
 
+/// Whether any of a stamp's fragments `j..` of a vector is live.
+#[inline(always)]
+pub(crate) fn any_live<S: Simd>(live: u32, j: usize) -> bool {
+    live >> j & ((1u32 << S::LANES) - 1) != 0
+}
+
 /// Up to four stamps of fragments and everything the stages keep about them.
 /// Where stages read what others write into the tile, no two slots hold the same
 /// stamp, so stages may finish one after another; see [`super::Pipeline::in_order`].

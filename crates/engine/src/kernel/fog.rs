@@ -8,10 +8,9 @@ use super::lanes::{clamp, join, lerp_255, scale, spread_alpha};
 use super::shade::fog_factor;
 use crate::state::{FOG_SAMPLES, Fog, FogAmount, FogTable};
 
-/// A fog table as 64 entries that one indexed load reads: the amount low, the
-/// slope high.
-pub(crate) fn fog_entries(table: &FogTable) -> [u64; 64] {
-    core::array::from_fn(|i| u64::from(table.value[i]) | u64::from(table.delta[i]) << 32)
+/// A fog table as 64 entries: the amount in the low eight bits, then the slope.
+pub(crate) fn fog_entries(table: &FogTable) -> [i32; 64] {
+    core::array::from_fn(|i| i32::from(table.value[i]) | i32::from(table.delta[i]) << 8)
 }
 
 /// A table of [`FogTable::by_w`] as entries that one indexed load reads: the
@@ -30,9 +29,9 @@ fn amount<S: Simd>(s: S, block: &Block, pass: &Pass<'_>, fog: &Fog, k: usize) ->
         FogAmount::Table => {
             let bias = s.splat(i32::from(pass.pipeline.state.depth.bias.unwrap_or(0)));
             let w = (s.load(&block.w.0[k..]) + bias).max(s.splat(0)).min(s.splat(0xffff));
-            let (value, delta) = s.load_pairs(&pass.pipeline.fog_entries, w.shr(10));
-            let step = delta.mul(w.shr(2) & s.splat(0xff)).shr(10);
-            let amount = (value + step).min(s.splat(255));
+            let entry = s.lookup64(&pass.pipeline.fog_entries, w.shr(10));
+            let step = entry.shr(8).mul(w.shr(2) & s.splat(0xff)).shr(10);
+            let amount = ((entry & s.splat(0xff)) + step).min(s.splat(255));
             amount | amount.shl(16)
         }
         FogAmount::IteratedAlpha => spread_alpha(s, s.load(&block.iterated.ga.0[k..])),
@@ -50,7 +49,8 @@ fn mix<S: Simd>(s: S, color: S::I, fog_color: S::I, amount: S::I) -> S::I {
     clamp(s, color.add16(scale(s, fog_color.sub16(color), amount)))
 }
 
-/// Fogs `block.color`; alpha stays. The colour before goes to `block.prefog`.
+/// Fogs `block.color`; alpha stays. The colour before goes to `block.prefog` where
+/// blending may read it.
 #[inline(always)]
 pub(crate) fn fog<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
     let Some(fog) = pass.pipeline.state.fog else { return };
@@ -59,12 +59,15 @@ pub(crate) fn fog<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
     let fog_color = Colors::splat(if dropped { 0 } else { fog.color & 0xff_ffff });
     let (fog_rb, fog_ga) = (s.splat(fog_color.rb.0[0]), s.splat(fog_color.ga.0[0]));
     let keep = s.splat(if fog.drop_fragment_color { 0 } else { -1 });
+    let blends = pass.pipeline.state.blend.is_some();
     for k in (0..block.len()).step_by(S::LANES) {
         let amount = amount(s, block, pass, &fog, k);
         let rb = s.load(&block.color.rb.0[k..]);
         let ga = s.load(&block.color.ga.0[k..]);
-        s.store(rb, &mut block.prefog.rb.0[k..]);
-        s.store(ga, &mut block.prefog.ga.0[k..]);
+        if blends {
+            s.store(rb, &mut block.prefog.rb.0[k..]);
+            s.store(ga, &mut block.prefog.ga.0[k..]);
+        }
         let (new_rb, new_ga) = if fog.amount == FogAmount::Constant {
             (clamp(s, rb.add16(fog_rb)), clamp(s, ga.add16(fog_ga)))
         } else {

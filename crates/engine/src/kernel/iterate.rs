@@ -71,13 +71,21 @@ pub(super) fn iterated_colors<S: Simd, const ALPHA: bool>(
 /// `block.color` where the combine units pass them on.
 #[inline(always)]
 pub(crate) fn iterate_colors<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
+    match pass.pipeline.needs.alpha {
+        true => iterate_all::<S, true>(s, block, pass),
+        false => iterate_all::<S, false>(s, block, pass),
+    }
+}
+
+#[inline(always)]
+fn iterate_all<S: Simd, const ALPHA: bool>(s: S, block: &mut Block, pass: &Pass<'_>) {
     let Block { count, slots, iterated, color, .. } = block;
     let out = if pass.pipeline.passes_iterated { color } else { iterated };
     for (slot, at) in slots[..*count].iter().enumerate() {
         let narrow = &pass.triangle(at).narrow;
         for j in (0..STAMP).step_by(S::LANES) {
             let k = slot * STAMP + j;
-            let [rb, ga] = iterated_colors::<S, true>(s, narrow, places(s, at.x, at.y, j));
+            let [rb, ga] = iterated_colors::<S, ALPHA>(s, narrow, places(s, at.x, at.y, j));
             s.store(rb, &mut out.rb.0[k..]);
             s.store(ga, &mut out.ga.0[k..]);
         }

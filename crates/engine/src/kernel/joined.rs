@@ -6,7 +6,7 @@
 
 use fillrate_simd::Simd;
 
-use super::block::{Block, STAMP, Strip};
+use super::block::{Block, STAMP, Strip, any_live};
 use super::iterate::{ColorIterators, iterated_colors};
 use super::lanes::{join as join_halves, places};
 use super::output::{blended, pack};
@@ -162,6 +162,9 @@ fn fragments<
         let pixels = &mut pixels[at..][..STAMP];
         let aux = tile.aux.get(at..).unwrap_or(&[]);
         for j in (0..STAMP).step_by(S::LANES) {
+            if S::ONE_BY_ONE && !any_live::<S>(live, j) {
+                continue;
+            }
             let alpha = joined.alpha;
             let color = colors::<S, TEXEL, ITERATED, BLEND>(s, block, pass, alpha, slot, j);
             let aux = aux.get(j..).unwrap_or(&[]);

@@ -78,7 +78,9 @@ pub(crate) struct Needs {
     pub keeps_z: bool,
     /// The pseudo-float w is read after the depth test.
     pub keeps_w: bool,
+    /// Iterated colours, and with their alpha.
     pub colors: bool,
+    pub alpha: bool,
     /// Fragments can be dropped after the depth test, or blending reads the
     /// aux plane, so depth is written at the end.
     pub late_depth_write: bool,
@@ -112,7 +114,7 @@ pub(crate) struct Pipeline {
     pub color0: Colors,
     pub color1: Colors,
     pub zero: Colors,
-    pub fog_entries: [u64; 64],
+    pub fog_entries: [i32; 64],
     /// The table by w; empty where there is none.
     pub fog_samples: Vec<u64>,
     /// The colour of a pattern's gaps.
@@ -374,8 +376,9 @@ fn transparent_black() -> Arc<Texture> {
     Arc::new(texture.expect("one texel is a valid texture"))
 }
 
-/// Whether anything reads the iterated colours.
-fn reads_iterated(state: &DrawState, reads_alpha: bool) -> bool {
+/// Whether anything reads the iterated colours or their alpha, and whether their
+/// alpha.
+fn reads_iterated(state: &DrawState, reads_alpha: bool) -> (bool, bool) {
     let (cc, ac) = (&state.color_combine, &state.alpha_combine);
     let (color, alpha) = (&cc.unit, &ac.unit);
     let color_other = !color.zero_other || state.chroma_key.is_some();
@@ -389,11 +392,12 @@ fn reads_iterated(state: &DrawState, reads_alpha: bool) -> bool {
             && (alpha.subtract_local
                 || alpha.add != Addend::Zero
                 || matches!(alpha.factor, Factor::Local | Factor::LocalAlpha));
-    color_other && cc.other == Other::Iterated
-        || color_local && cc.local != ColorLocal::Constant
-        || alpha_other && ac.other == Other::Iterated
+    let alpha = alpha_other && ac.other == Other::Iterated
         || alpha_local && ac.local == AlphaLocal::Iterated
-        || state.fog.is_some_and(|fog| fog.amount == FogAmount::IteratedAlpha)
+        || state.fog.is_some_and(|fog| fog.amount == FogAmount::IteratedAlpha);
+    let color = color_other && cc.other == Other::Iterated
+        || color_local && cc.local != ColorLocal::Constant;
+    (color || alpha, alpha)
 }
 
 fn needs(state: &DrawState, reads_alpha: bool) -> Needs {
@@ -402,10 +406,12 @@ fn needs(state: &DrawState, reads_alpha: bool) -> Needs {
     let z = &state.depth;
     let rejects = z.z_overflow == ZOverflow::Reject && z.source == DepthSource::Z;
     let depth = compares || state.aux_write == AuxWrite::Depth || rejects;
+    let (colors, alpha) = reads_iterated(state, reads_alpha);
     Needs {
         keeps_z: fog(FogAmount::IteratedZ) || state.alpha_combine.local == AlphaLocal::Depth,
         keeps_w: fog(FogAmount::Table) || fog(FogAmount::ByW),
-        colors: reads_iterated(state, reads_alpha),
+        colors,
+        alpha,
         late_depth_write: state.chroma_key.is_some()
             || drops_keyed(state)
             || state.alpha_test.is_some()

@@ -32,7 +32,10 @@ pub(super) fn is_small<S: Simd>(area: &Rect) -> bool {
 /// Values of a plane over a stamp.
 #[derive(Clone, Copy)]
 struct Plane<S: Simd> {
-    now: [S::I; VECTORS],
+    /// Those of the first vector.
+    now: S::I,
+    /// From there to each vector.
+    rows: [S::I; VECTORS],
     right: S::I,
     down: S::I,
 }
@@ -42,20 +45,32 @@ impl<S: Simd> Plane<S> {
     #[inline(always)]
     fn new(s: S, [c, dx, dy]: [i32; 3], x: i32, y: i32) -> Self {
         let (right, down) = (s.splat(dx.wrapping_mul(4)), s.splat(dy.wrapping_mul(4)));
-        let mut now = [s.splat(c); VECTORS];
-        for (now, j) in now.iter_mut().zip((0..STAMP).step_by(S::LANES)) {
-            let [x, y] = places(s, x, y, j);
-            *now = *now + (x.mul(s.splat(dx)) + y.mul(s.splat(dy)));
+        let [x, y] = places(s, x, y, 0);
+        let now = s.splat(c) + (x.mul(s.splat(dx)) + y.mul(s.splat(dy)));
+        let mut rows = [s.splat(0); VECTORS];
+        for (v, rows) in rows[..STAMP / S::LANES].iter_mut().enumerate() {
+            *rows = s.splat(dy.wrapping_mul((v * S::LANES / 4) as i32));
         }
-        Plane { now, right, down }
+        Plane { now, rows, right, down }
     }
 
+    /// The values of a vector.
     #[inline(always)]
-    fn add(&mut self, step: S::I) {
-        for now in &mut self.now[..STAMP / S::LANES] {
-            *now = *now + step;
-        }
+    fn at(&self, v: usize) -> S::I {
+        if S::LANES == STAMP { self.now } else { self.now + self.rows[v] }
     }
+}
+
+/// Bit per vector of a stamp in row `y`: those that hold rows of an area.
+#[inline(always)]
+fn vectors<S: Simd>(area: &Rect, y: u32) -> u32 {
+    if !S::ONE_BY_ONE {
+        return u32::MAX;
+    }
+    let rows = (S::LANES / 4) as u32;
+    let first = area.y0.saturating_sub(y) / rows;
+    let end = (area.y1 - y).min(4).div_ceil(rows);
+    (1 << end) - (1 << first)
 }
 
 /// What is drawn where.
@@ -93,6 +108,7 @@ impl Small<'_> {
         let mut slot = Slot { triangle: self.index, at: self.at, x, y };
         for _ in 0..down {
             let (row, mut planes) = (slot, [e0, e1, e2, z]);
+            let vectors = vectors::<S>(self.area, slot.y as u32);
             for _ in 0..across {
                 let (mut covered, mut left) = (0, 0);
                 let aux = match EARLY {
@@ -100,8 +116,11 @@ impl Small<'_> {
                     _ => &mut aux[slot.at as usize..][..STAMP],
                 };
                 for (v, j) in (0..STAMP).step_by(S::LANES).enumerate() {
+                    if S::ONE_BY_ONE && vectors >> v & 1 == 0 {
+                        continue;
+                    }
                     let [e0, e1, e2, z] =
-                        [planes[0].now[v], planes[1].now[v], planes[2].now[v], planes[3].now[v]];
+                        [planes[0].at(v), planes[1].at(v), planes[2].at(v), planes[3].at(v)];
                     let inside = (e0 | e1 | e2).gt(s.splat(-1));
                     covered |= inside.bits() << j;
                     if EARLY != early::NONE {
@@ -117,14 +136,13 @@ impl Small<'_> {
                 slot.at += STAMP as u32;
                 slot.x += 4;
                 for plane in &mut planes {
-                    plane.add(plane.right);
+                    plane.now = plane.now + plane.right;
                 }
             }
             slot = Slot { at: row.at + self.pitch, y: row.y + 4, ..row };
-            e0.add(e0.down);
-            e1.add(e1.down);
-            e2.add(e2.down);
-            z.add(z.down);
+            for plane in [&mut e0, &mut e1, &mut e2, &mut z] {
+                plane.now = plane.now + plane.down;
+            }
         }
     }
 }

@@ -1,5 +1,7 @@
 //! Drawing a tile: its entries in order, gathered into blocks.
 
+use std::sync::Arc;
+
 use fillrate_simd::Simd;
 
 use super::coverage::{FULL, TileCoverage, clip_strip, rect_mask};
@@ -21,13 +23,16 @@ use crate::state::{Dither, Rect};
 use crate::stats::Counters;
 use crate::target::{PixelFormat, Plane, TileCell, pack, stamp_index};
 
-/// How many entries ahead triangles are fetched: a tile's lie far apart.
-const AHEAD: usize = 4;
+/// How many entries ahead triangles are fetched, and then their planes: a tile's
+/// lie far apart, and half of them in another core's cache.
+const AHEAD: usize = 8;
+const PLANES_AHEAD: usize = 3;
 
 /// What one worker keeps while it draws tiles.
 pub(crate) struct TilePainter<'a, S: Simd> {
     s: S,
     arena: &'a Arena,
+    states: &'a [Arc<BatchState>],
     grid: Grid,
     format: PixelFormat,
     pub counters: Counters,
@@ -106,10 +111,17 @@ impl Target<'_> {
 }
 
 impl<'a, S: Simd> TilePainter<'a, S> {
-    pub fn new(s: S, arena: &'a Arena, grid: Grid, format: PixelFormat) -> Self {
+    pub fn new(
+        s: S,
+        arena: &'a Arena,
+        states: &'a [Arc<BatchState>],
+        grid: Grid,
+        format: PixelFormat,
+    ) -> Self {
         TilePainter {
             s,
             arena,
+            states,
             grid,
             format,
             counters: Counters::default(),
@@ -127,7 +139,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
     #[inline(always)]
     pub fn draw(
         &mut self,
-        chunks: &'a [Chunk],
+        chunks: impl Iterator<Item = &'a Chunk>,
         index: usize,
         color: &mut TileCell,
         aux: Option<&mut TileCell>,
@@ -140,6 +152,9 @@ impl<'a, S: Simd> TilePainter<'a, S> {
             for (i, entry) in entries.iter().enumerate() {
                 if let Some(Entry::Triangle(next)) = entries.get(i + AHEAD) {
                     chunk.triangles.prefetch(*next);
+                }
+                if let Some(Entry::Triangle(next)) = entries.get(i + PLANES_AHEAD) {
+                    chunk.triangles.prefetch_planes(*next);
                 }
                 match *entry {
                     Entry::Triangle(i) => self.triangle(chunk, i, &mut target),
@@ -166,14 +181,14 @@ impl<'a, S: Simd> TilePainter<'a, S> {
     }
 
     fn batch(&self, state: u32) -> &'a BatchState {
-        &self.arena.states[state]
+        &self.states[state as usize]
     }
 
     /// Makes `pipeline` and `list` those of a state; what is pending must be
     /// finished.
     fn select(&mut self, state: u32, pixels: bool) {
         let batch = self.batch(state);
-        let pipeline = match (&batch.pixel_pipeline, pixels) {
+        let pipeline = match (batch.pixel_pipeline.get(), pixels) {
             (Some(pipeline), true) => pipeline,
             _ => &batch.pipeline,
         };

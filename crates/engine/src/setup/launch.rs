@@ -2,6 +2,7 @@
 //! several at once. [`Registers`] holds the same by name.
 
 use super::{Param, Registers, WideParam};
+use crate::fixed;
 use crate::state::MAX_TMUS;
 
 /// How many 32-bit parameters there are, padded to a vector: red, green, blue,
@@ -31,7 +32,66 @@ pub(crate) struct Launch {
     pub y: [i32; 3],
     pub negative: bool,
     pub narrow: Params<[i32; NARROW]>,
-    pub wide: [Params<[i64; GROUP]>; MAX_TMUS],
+    pub wide: [WideParams; MAX_TMUS],
+}
+
+/// 64-bit parameters of a group. They are integers, and nearly always such that
+/// floats hold them; those that are not numbers there lie in `large`.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct WideParams {
+    pub floats: Params<[f64; GROUP]>,
+    large: Params<[i64; GROUP]>,
+}
+
+impl WideParams {
+    /// From values of 32 fraction bits in the chip.
+    #[inline(always)]
+    pub fn convert(&mut self, [start, dx, dy]: [[f32; GROUP]; 3]) {
+        let floats = [start, dx, dy].map(fixed::wide_floats);
+        let [start_f, dx_f, dy_f] = floats;
+        self.floats = Params { start: start_f, dx: dx_f, dy: dy_f };
+        let mut fits = true;
+        for lane in 0..GROUP {
+            // A sum with something that is not a number is none either.
+            let sum = start_f[lane] + dx_f[lane] + dy_f[lane];
+            fits &= !sum.is_nan();
+        }
+        if !fits {
+            self.convert_large([start, dx, dy]);
+        }
+    }
+
+    #[cold]
+    fn convert_large(&mut self, values: [[f32; GROUP]; 3]) {
+        let [start, dx, dy] = values.map(|values| values.map(fixed::wide));
+        self.large = Params { start, dx, dy };
+    }
+
+    /// One parameter.
+    fn get(&self, lane: usize) -> WideParam {
+        let either = |float: f64, large: i64| if float.is_nan() { large } else { float as i64 };
+        WideParam {
+            start: either(self.floats.start[lane], self.large.start[lane]),
+            dx: either(self.floats.dx[lane], self.large.dx[lane]),
+            dy: either(self.floats.dy[lane], self.large.dy[lane]),
+        }
+    }
+
+    fn set(&mut self, lane: usize, param: &WideParam) {
+        self.large.set(lane, param);
+        self.floats.start[lane] = fixed::to_float(param.start);
+        self.floats.dx[lane] = fixed::to_float(param.dx);
+        self.floats.dy[lane] = fixed::to_float(param.dy);
+    }
+
+    /// All of them as integers.
+    pub fn integers(&self) -> Params<[i64; GROUP]> {
+        let mut out = Params::default();
+        for lane in 0..GROUP {
+            out.set(lane, &self.get(lane));
+        }
+        out
+    }
 }
 
 /// Group and lane of parameter 0, 1, 2 (s, t, w) of a unit.
@@ -40,10 +100,6 @@ pub(crate) fn wide_lane(unit: usize, param: usize) -> (usize, usize) {
 }
 
 impl<const N: usize> Params<[i64; N]> {
-    fn get(&self, lane: usize) -> WideParam {
-        WideParam { start: self.start[lane], dx: self.dx[lane], dy: self.dy[lane] }
-    }
-
     pub(super) fn set(&mut self, lane: usize, param: &WideParam) {
         (self.start[lane], self.dx[lane], self.dy[lane]) = (param.start, param.dx, param.dy);
     }
@@ -87,8 +143,10 @@ impl Launch {
             *step = share(i64::from(*step), scale) as i32;
         }
         for params in &mut out.wide {
-            for step in params.dx.iter_mut().chain(&mut params.dy) {
-                *step = share(*step, scale);
+            for lane in 0..GROUP {
+                let WideParam { start, dx, dy } = params.get(lane);
+                let (dx, dy) = (share(dx, scale), share(dy, scale));
+                params.set(lane, &WideParam { start, dx, dy });
             }
         }
         out

@@ -21,5 +21,5 @@ pub(crate) use raw::{ATTRIBUTES, RawShape, Slots, Steps, Values, Walk, prepare_r
 pub use raw::{RawPrimitive, RawVertex};
 pub use registers::{Param, Registers, WideParam};
 pub use sst1::{Cull, Outcome, extended_triangle, triangle};
-pub(crate) use sst1::{Fate, set_up};
+pub(crate) use sst1::{Fate, Sorted, set_up};
 pub use vertex::{TmuVertex, Vertex, VertexExtra};

@@ -265,6 +265,15 @@ impl Triangles {
             fillrate_simd::prefetch(triangle);
         }
     }
+
+    /// The same of its planes, once the triangle itself is there.
+    #[inline(always)]
+    pub fn prefetch_planes(&self, index: u32) {
+        let Some(triangle) = self.list.get(index as usize) else { return };
+        if let Some(group) = self.exact.get(triangle.wide as usize) {
+            fillrate_simd::prefetch(group);
+        }
+    }
 }
 
 /// Where a triangle is drawn.
@@ -315,7 +324,7 @@ pub(crate) fn prepare<'a>(
             (0, _) => &FIRST_LIMITS,
             _ => &OTHER_LIMITS,
         };
-        let (group, fits) = planes.exact(params, limits);
+        let (group, fits) = planes.exact(&params.floats, limits);
         exact &= fits;
         if unit < units {
             let first = wide_lane(unit, 0).1;
@@ -355,7 +364,7 @@ fn large_planes(
     out: &mut Vec<WideGroup>,
 ) {
     for (unit, params) in launch.wide.iter().enumerate().take(units.max(1)) {
-        let group = planes.wide(params);
+        let group = planes.wide(&params.integers());
         if unit < units {
             let first = wide_lane(unit, 0).1;
             let steps = [first, first + 1].map(|lane| {
@@ -538,7 +547,7 @@ impl Corrected {
     /// The planes as floats, and whether these are exact and stay below their
     /// limits over the area; where a lane has no limit it does not count.
     #[inline(always)]
-    fn exact(&self, params: &Params<[i64; GROUP]>, limits: &[f64; GROUP]) -> (ExactGroup, bool) {
+    fn exact(&self, params: &Params<[f64; GROUP]>, limits: &[f64; GROUP]) -> (ExactGroup, bool) {
         let (from_x, from_y) = (f64::from(self.dx), f64::from(self.dy));
         let ([ox, oy], [rx, ry]) = (self.origin, self.reach);
         let row_sign = f64::from(self.row_sign);
@@ -546,19 +555,16 @@ impl Corrected {
         let mut fits = [false; GROUP];
         #[allow(clippy::needless_range_loop, reason = "one lane of eight arrays")]
         for lane in 0..GROUP {
-            let start = to_float(params.start[lane]);
-            let (dx, dy) = (to_float(params.dx[lane]), to_float(params.dy[lane]));
+            let (start, dx, dy) = (params.start[lane], params.dx[lane], params.dy[lane]);
             let sixteenths = dx * from_x + dy * from_y;
             let dy = dy * row_sign;
             let (across, down) = (dx * ox, dy * oy);
             let corner = start + floor(sixteenths * (1.0 / 16.0)) + across + down;
             // Nothing on the way may have been rounded. Not-a-number does not pass.
             let largest = start.abs() + 16.0 * (dx.abs() + dy.abs()) + across.abs() + down.abs();
-            let (wide, high) = (dx * rx, dy * ry);
-            let (left, right) = (corner.abs().max((corner + high).abs()), (corner + wide).abs());
-            let value = left.max(right).max((corner + wide + high).abs());
-            fits[lane] =
-                (largest < EXACT_LIMIT && value < limits[lane]) | (limits[lane] == f64::INFINITY);
+            let value = corner.abs() + (dx * rx).abs() + (dy * ry).abs();
+            let within = (largest < EXACT_LIMIT) & (value < limits[lane]);
+            fits[lane] = within | (limits[lane] == f64::INFINITY);
             (out.start[lane], out.dx[lane], out.dy[lane]) = (corner, dx, dy);
         }
         (out, fits == [true; GROUP])
@@ -580,14 +586,6 @@ impl Corrected {
         }
         out
     }
-}
-
-/// An integer as a float; not-a-number where it is 2^51 or more in magnitude.
-#[inline(always)]
-fn to_float(value: i64) -> f64 {
-    let bits = (value as u64).wrapping_add(TO_INTEGER.to_bits());
-    let float = f64::from_bits(bits) - TO_INTEGER;
-    if bits >> 52 == TO_INTEGER.to_bits() >> 52 { float } else { f64::NAN }
 }
 
 /// The greatest integer that is not above `value`, for values below 2^51 in

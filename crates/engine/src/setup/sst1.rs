@@ -94,8 +94,9 @@ fn sort(y: [f32; 3]) -> ([usize; 3], bool) {
 }
 
 /// What became of a triangle, less its registers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Fate {
+    #[default]
     Empty,
     Culled,
     Drawn,
@@ -107,11 +108,15 @@ pub(crate) enum Fate {
 ///
 /// Source: G246, triangle set-up; SST1, triangle registers.
 pub fn triangle(vertices: [&Vertex; 3], cull: Cull, units: usize) -> Outcome {
-    let mut launch = Launch::default();
-    match set_up(vertices, cull, units, &mut launch) {
+    let sorted = Sorted::new(vertices, cull);
+    match sorted.fate {
         Fate::Empty => Outcome::Empty,
         Fate::Culled => Outcome::Culled,
-        Fate::Drawn => Outcome::Drawn(launch.registers(units)),
+        Fate::Drawn => {
+            let mut launch = Launch::default();
+            set_up(&vertices.map(|v| *v), &sorted, units, &mut launch);
+            Outcome::Drawn(launch.registers(units))
+        }
     }
 }
 
@@ -162,24 +167,46 @@ fn deep_param(vertices: [&Vertex; 3], extras: [&VertexExtra; 3]) -> WideParam {
     }
 }
 
-/// [`triangle`], into lanes.
+/// A triangle's corners by rising y, and its area.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Sorted {
+    pub fate: Fate,
+    order: [u8; 3],
+    /// The sorted corners' area is negative.
+    negative: bool,
+    /// One by that area.
+    inverse: f32,
+}
+
+impl Sorted {
+    #[inline(always)]
+    pub fn new(vertices: [&Vertex; 3], cull: Cull) -> Sorted {
+        let (order, odd) = sort([vertices[0].y, vertices[1].y, vertices[2].y]);
+        let [a, b, c] = order.map(|i| vertices[i]);
+        let (dx_ab, dy_ab) = (a.x - b.x, a.y - b.y);
+        let (dx_bc, dy_bc) = (b.x - c.x, b.y - c.y);
+        let area = dx_ab * dy_bc - dx_bc * dy_ab;
+        let negative = area < 0.0;
+        let culled = match cull {
+            Cull::Disabled => false,
+            Cull::Negative => negative != odd,
+            Cull::Positive => negative == odd,
+        };
+        let fate = match area == 0.0 || !area.is_finite() {
+            true => Fate::Empty,
+            false if culled => Fate::Culled,
+            false => Fate::Drawn,
+        };
+        Sorted { fate, order: order.map(|i| i as u8), negative, inverse: 1.0 / area }
+    }
+}
+
+/// [`triangle`], into lanes, of corners that are drawn.
 #[inline(always)]
-pub(crate) fn set_up(vertices: [&Vertex; 3], cull: Cull, units: usize, out: &mut Launch) -> Fate {
-    let (order, odd) = sort([vertices[0].y, vertices[1].y, vertices[2].y]);
-    let [a, b, c] = [vertices[order[0]], vertices[order[1]], vertices[order[2]]];
-    let (dx_ab, dy_ab) = (a.x - b.x, a.y - b.y);
-    let (dx_bc, dy_bc) = (b.x - c.x, b.y - c.y);
-    let area = dx_ab * dy_bc - dx_bc * dy_ab;
-    if area == 0.0 || !area.is_finite() {
-        return Fate::Empty;
-    }
-    let negative = area < 0.0;
-    match (cull, negative != odd) {
-        (Cull::Negative, true) | (Cull::Positive, false) => return Fate::Culled,
-        _ => {}
-    }
-    let deltas = Deltas::new([a, b, c], 1.0 / area);
-    out.negative = negative;
+pub(crate) fn set_up(vertices: &[Vertex; 3], sorted: &Sorted, units: usize, out: &mut Launch) {
+    let [a, b, c] = sorted.order.map(|i| &vertices[usize::from(i)]);
+    let deltas = Deltas::new([a, b, c], sorted.inverse);
+    out.negative = sorted.negative;
     coordinates([a, b, c], out);
     let narrow = [narrow_lanes(a), narrow_lanes(b), narrow_lanes(c)];
     let [dx, dy] = deltas.gradients(narrow);
@@ -191,13 +218,8 @@ pub(crate) fn set_up(vertices: [&Vertex; 3], cull: Cull, units: usize, out: &mut
     for (unit, out) in out.wide.iter_mut().enumerate().take(units.clamp(1, MAX_TMUS)) {
         let wide = [wide_lanes(a, unit), wide_lanes(b, unit), wide_lanes(c, unit)];
         let [dx, dy] = deltas.gradients(wide);
-        *out = Params {
-            start: fixed::wide_lanes(wide[0]),
-            dx: fixed::wide_lanes(dx),
-            dy: fixed::wide_lanes(dy),
-        };
+        out.convert([wide[0], dx, dy]);
     }
-    Fate::Drawn
 }
 
 #[inline(always)]

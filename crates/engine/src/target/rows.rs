@@ -21,8 +21,12 @@ impl Surface {
         })
     }
 
-    /// Copies a row out.
-    pub(crate) fn read_row(&self, y: u32, to: &mut [u32]) {
+    /// Copies a row's elements out, from the left, as many as `to` has and the
+    /// surface holds. Much faster than asking for each.
+    ///
+    /// # Panics
+    /// Where there is no row `y`.
+    pub fn read_row(&self, y: u32, to: &mut [u32]) {
         for (to, (cell, at)) in to.chunks_mut(STAMP as usize).zip(self.row(y)) {
             self.cells[cell].read(at, to);
         }

@@ -56,7 +56,7 @@ pub(crate) enum Plane {
 
 /// One tile: its pixels, a clear that has not been carried out yet, and what
 /// is known of its values.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct TileCell {
     pub plane: Plane,
     /// The stamp that every stamp of the tile equals; `plane` is stale.
@@ -65,6 +65,13 @@ pub(crate) struct TileCell {
     pub low: u16,
     /// No element is above. Bounds are kept for aux planes.
     pub high: u16,
+}
+
+impl Default for Plane {
+    /// No pixels: what stands for those of a tile that is being drawn.
+    fn default() -> Plane {
+        Plane::Bits16(Vec::new())
+    }
 }
 
 impl TileCell {
@@ -86,7 +93,15 @@ impl TileCell {
     }
 
     /// Carries out a pending clear.
+    #[inline(always)]
     pub fn materialize(&mut self) {
+        if self.pending.is_some() {
+            self.fill_pending();
+        }
+    }
+
+    #[cold]
+    fn fill_pending(&mut self) {
         let Some(stamp) = self.pending.take() else { return };
         match &mut self.plane {
             Plane::Bits16(pixels) => {

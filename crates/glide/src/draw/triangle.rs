@@ -21,12 +21,13 @@ impl Board {
         if self.bounds_check && !corners.iter().all(|v| is_in_range(v)) {
             return;
         }
-        let [a, b, c] = self.rules.convert_all(corners);
         let cull = self.cull();
         if self.stipples_in_pieces() {
+            let [a, b, c] = self.rules.convert_all(corners);
             return self.draw_triangle_stippled([&a, &b, &c], cull);
         }
-        self.device.draw_triangle([&a, &b, &c], cull);
+        let rules = &self.rules;
+        self.device.draw_triangle_made(cull, || rules.convert_all(corners));
     }
 }
 

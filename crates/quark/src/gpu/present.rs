@@ -53,7 +53,7 @@ impl Gpu {
     /// Shows the frame and clears the frame buffer to a 13-bit colour at
     /// infinite distance. Source: QK, `FlushFB`.
     pub fn flush_frame(&mut self, clear_color: u16) {
-        self.device.flush(FlushReason::Swap);
+        self.device.submit(FlushReason::Swap);
         std::mem::swap(&mut self.back, &mut self.front);
         // Both surfaces were made by this device, of one size.
         let _ = self.device.set_target(self.back, Some(self.depth));

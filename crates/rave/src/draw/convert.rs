@@ -54,7 +54,7 @@ impl Prepared {
 
     /// A textured corner, without the coordinates of further layers. `scale`
     /// multiplies all that is divided by w.
-    #[inline]
+    #[inline(always)]
     pub(super) fn textured(&self, v: &VTexture, bound: &Bound, scale: f32) -> Vertex {
         let diffuse = |kd: f32| kd.clamp(0.0, MAX_DIFFUSE) * 255.0;
         let modulates = self.has(texture_op::MODULATE);

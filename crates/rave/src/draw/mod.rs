@@ -74,11 +74,17 @@ impl Pen<'_> {
 
     /// Adds a triangle by the chosen variant; it may reach beyond what the
     /// renderer's coordinates hold.
-    #[inline]
+    #[inline(always)]
     fn add(&mut self, corners: [Vertex; 3]) {
         if corners.iter().all(clip::fits) {
             return self.queue.batch.triangle(corners);
         }
+        self.add_near(corners);
+    }
+
+    /// Adds what of a triangle is near the context.
+    #[cold]
+    fn add_near(&mut self, corners: [Vertex; 3]) {
         let corners = corners.map(|vertex| Corner { vertex, ..Corner::default() });
         self.add_part(&corners, |batch, corners| batch.triangle(corners.map(|c| c.vertex)));
     }

@@ -86,7 +86,7 @@ impl Pen<'_> {
     }
 
     /// Adds corners, with values beyond the engine's own where there are any.
-    #[inline]
+    #[inline(always)]
     fn add_with(&mut self, corners: [Vertex; 3], extras: Option<[VertexExtra; 3]>) {
         match extras {
             None => self.add(corners),

@@ -214,6 +214,37 @@ fn lookup16_of_every_entry_and_any_upper_bits() {
     assert!(found.into_iter().eq(by_hand));
 }
 
+/// [`Lookup`] in a longer table.
+#[derive(Clone, Copy)]
+struct LongLookup<'a>(&'a [[i32; 64]], &'a [i32]);
+
+impl Kernel for LongLookup<'_> {
+    type Output = Vec<i32>;
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> Vec<i32> {
+        let mut out = Vec::new();
+        for table in self.0 {
+            for at in (0..self.1.len()).step_by(S::LANES) {
+                push(simd, simd.lookup64(table, simd.load(&self.1[at..])), &mut out);
+            }
+        }
+        out
+    }
+}
+
+#[test]
+fn lookup64_of_every_entry_and_any_upper_bits() {
+    let mut random = Random(16);
+    let tables: Vec<[i32; 64]> = (0..16).map(|_| std::array::from_fn(|_| random.int())).collect();
+    let mut at: Vec<i32> = (0..256).map(|i| i % 64 * 0x41).collect();
+    at.extend(EDGES);
+    at.extend(random.ints(RANDOM_LANES / tables.len()));
+    let at = padded(at);
+    let found = compare("lookup64", LongLookup(&tables, &at));
+    let by_hand = tables.iter().flat_map(|t| at.iter().map(|&i| t[(i & 63) as usize]));
+    assert!(found.into_iter().eq(by_hand));
+}
+
 #[derive(Clone, Copy)]
 struct Pairs<'a>(&'a [u64], &'a [i32]);
 

@@ -150,6 +150,18 @@ impl Simd for Avx512 {
         I(unsafe { _mm512_permutexvar_epi32(index.0, table.0) })
     }
     #[inline(always)]
+    fn lookup64(self, table: &[i32; 64], index: I) -> I {
+        let (t0, t1) = (self.load(&table[..16]), self.load(&table[16..32]));
+        let (t2, t3) = (self.load(&table[32..48]), self.load(&table[48..]));
+        // SAFETY: the token proves AVX-512; the permutes use the low five bits.
+        unsafe {
+            let low = _mm512_permutex2var_epi32(t0.0, index.0, t1.0);
+            let high = _mm512_permutex2var_epi32(t2.0, index.0, t3.0);
+            let upper = _mm512_test_epi32_mask(index.0, _mm512_set1_epi32(32));
+            I(_mm512_mask_blend_epi32(upper, low, high))
+        }
+    }
+    #[inline(always)]
     fn load_pairs(self, table: &[u64], index: I) -> (I, I) {
         let last = crate::last_index(table);
         let mut at = [0; 16];

@@ -3,13 +3,12 @@
 use fillrate_simd::{FloatLanes, IntLanes, Simd};
 
 use super::UnitPlan;
-use super::lod::{linear_lods, lod_at, smallest_w, smallest_w_below};
+use super::lod::{level_at, linear_lods, lod_at, smallest_w, smallest_w_below};
 use crate::kernel::Pass;
-use crate::kernel::block::{Block, Lanes, STAMP, Slot};
+use crate::kernel::block::{Block, Lanes, STAMP, Slot, any_live};
 use crate::kernel::lanes::ramp_wide;
 use crate::setup::{Plane64, PlaneF, Triangle};
 use crate::state::Filter;
-use crate::texture::MAX_LEVELS;
 
 /// How one level is addressed, lane by lane.
 #[derive(Clone, Copy)]
@@ -25,8 +24,8 @@ struct LevelLanes<S: Simd> {
     fraction: S::I,
 }
 
-/// What a triangle's stamps share: the steps within a stamp, and where the
-/// levels of detail change.
+/// What a triangle's stamps share: the steps within a stamp, and its level of
+/// detail.
 #[derive(Clone, Debug)]
 pub(crate) struct TextureSteps {
     pub(in crate::kernel) triangle: u32,
@@ -36,8 +35,6 @@ pub(crate) struct TextureSteps {
     /// The most that w rises and falls within a stamp.
     rise: f64,
     fall: f64,
-    /// Level `n + 1` or a coarser one holds where w is below entry `n`.
-    thresholds: [f64; MAX_LEVELS - 1],
     /// Level of detail of the triangle at w = 1, with the bias.
     base: i32,
     /// The level of the last stamp that had only one.
@@ -60,13 +57,12 @@ impl TextureSteps {
         w: [0.0; STAMP],
         rise: 0.0,
         fall: 0.0,
-        thresholds: [0.0; MAX_LEVELS - 1],
         base: 0,
         last: Level { number: 0, least: 0.0, limit: 0.0 },
     };
 
     #[inline(always)]
-    fn set<S: Simd>(&mut self, s: S, plan: &UnitPlan, [ps, pt, w]: [PlaneF; 3], base: i32) {
+    fn set<S: Simd>(&mut self, s: S, [ps, pt, w]: [PlaneF; 3], base: i32) {
         ramp_wide(s, &ps, &mut self.s);
         ramp_wide(s, &pt, &mut self.t);
         ramp_wide(s, &w, &mut self.w);
@@ -74,40 +70,29 @@ impl TextureSteps {
         self.rise = right.max(0.0) + down.max(0.0);
         self.fall = right.min(0.0) + down.min(0.0);
         self.base = base;
-        let (finest, coarsest) = plan.levels();
-        // Half the w is one level more.
-        let mut next = smallest_w_below(self.base, 1);
-        for (n, threshold) in self.thresholds.iter_mut().enumerate() {
-            // Levels outside the limits are never, or always, passed.
-            *threshold = match n as i32 + 1 {
-                level if level <= finest => f64::INFINITY,
-                level if level > coarsest => f64::NEG_INFINITY,
-                _ => next,
-            };
-            next *= 0.5;
-        }
         self.last = Level { number: 0, least: 0.0, limit: 0.0 };
     }
 
     /// The level of a stamp with w from `smallest` to `largest`; `None` where
     /// it has several.
     #[inline(always)]
-    fn level(&mut self, smallest: f64, largest: f64) -> Option<usize> {
+    fn level(&mut self, plan: &UnitPlan, smallest: f64, largest: f64) -> Option<usize> {
         if self.last.least <= smallest && largest < self.last.limit {
             return Some(self.last.number);
         }
-        let (mut finest, mut coarsest) = (0, 0);
-        for &threshold in &self.thresholds {
-            finest += usize::from(largest < threshold);
-            coarsest += usize::from(smallest < threshold);
-        }
-        if finest != coarsest {
+        let levels = plan.levels();
+        let level = level_at(levels, self.base, largest);
+        if level != level_at(levels, self.base, smallest) {
             return None;
         }
-        let limit = if finest == 0 { f64::INFINITY } else { self.thresholds[finest - 1] };
-        let least = self.thresholds.get(finest).copied().unwrap_or(f64::NEG_INFINITY);
-        self.last = Level { number: finest, least, limit };
-        Some(finest)
+        let least = smallest_w_below(self.base, level + 1);
+        let limit = smallest_w_below(self.base, level);
+        // The finest and the coarsest have no end.
+        let least = if level == levels.1 { f64::NEG_INFINITY } else { least };
+        let limit = if level == levels.0 { f64::INFINITY } else { limit };
+        let number = level as usize;
+        self.last = Level { number, least, limit };
+        Some(number)
     }
 }
 
@@ -120,7 +105,7 @@ const NO_PERSPECTIVE_F: PlaneF = PlaneF { start: (1u64 << 32) as f64, dx: 0.0, d
 /// addresses of both rows, and the weights.
 #[inline(always)]
 pub(crate) fn address<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, plan: &UnitPlan) {
-    let Block { count, slots, lod, row0, row1, weight_s, weight_t, steps, .. } = block;
+    let Block { live, count, slots, lod, row0, row1, weight_s, weight_t, steps, .. } = block;
     let steps = &mut steps.units[plan.index];
     let mut out = Samples { row0, row1, weight_s, weight_t };
     for (slot, &at) in slots[..*count].iter().enumerate() {
@@ -144,14 +129,15 @@ pub(crate) fn address<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, plan: &
         }
         if at.triangle != steps.triangle {
             steps.triangle = at.triangle;
-            steps.set(s, plan, planes, base);
+            steps.set(s, planes, base);
         }
+        let live = (*live >> (slot * STAMP)) as u32;
         let offset = triangle.offset(at.x, at.y);
         let values = [planes[0].at(offset), planes[1].at(offset), planes[2].at(offset)];
         if plan.needs_lod {
-            stamp::<S, true>(s, &mut out, plan, values, slot, lod, steps);
+            stamp::<S, true>(s, &mut out, plan, values, (slot, live), lod, steps);
         } else {
-            stamp::<S, false>(s, &mut out, plan, values, slot, lod, steps);
+            stamp::<S, false>(s, &mut out, plan, values, (slot, live), lod, steps);
         }
     }
 }
@@ -228,24 +214,27 @@ fn inexact_stamp<S: Simd>(
 }
 
 /// A stamp in float lanes, from s, t and w at its first fragment; `LODS` where
-/// levels come from `lods`.
+/// levels come from `lods`. What is not live keeps what was there.
 #[inline(always)]
 fn stamp<S: Simd, const LODS: bool>(
     s: S,
     out: &mut Samples<'_>,
     plan: &UnitPlan,
     [corner_s, corner_t, corner_w]: [f64; 3],
-    slot: usize,
+    (slot, live): (usize, u32),
     lods: &[i32],
     steps: &mut TextureSteps,
 ) {
     // w is linear, so its extremes are at corners.
     let (smallest, largest) = (corner_w + steps.fall, corner_w + steps.rise);
-    let level = if LODS { None } else { steps.level(smallest, largest) };
+    let level = if LODS { None } else { steps.level(plan, smallest, largest) };
     let (base_s, base_t) = (s.splat_f(corner_s), s.splat_f(corner_t));
     let base_w = s.splat_f(corner_w);
     let (zero, scale) = (s.splat_f(0.0), s.splat_f(256.0));
     for j in (0..STAMP).step_by(S::LANES) {
+        if S::ONE_BY_ONE && !any_live::<S>(live, j) {
+            continue;
+        }
         let k = slot * STAMP + j;
         let w = base_w + s.load_f(&steps.w[j..]);
         let mut qs = ((base_s + s.load_f(&steps.s[j..])) * scale / w).floor_i32();
@@ -285,9 +274,13 @@ fn one_level<S: Simd>(s: S, plan: &UnitPlan, level: usize, bilinear: S::I) -> Le
 /// Address lanes of the levels that `w` selects.
 #[inline(always)]
 fn levels_by_w<S: Simd>(s: S, plan: &UnitPlan, steps: &TextureSteps, w: S::F) -> LevelLanes<S> {
-    let mut level = s.splat(0);
-    for (n, &threshold) in steps.thresholds.iter().enumerate() {
-        level = s.splat(n as i32 + 1).select(level, w.lt(s.splat_f(threshold)));
+    let (finest, coarsest) = plan.levels();
+    let mut level = s.splat(finest);
+    // Half the w is one level more.
+    let mut threshold = smallest_w_below(steps.base, finest + 1);
+    for coarser in finest + 1..=coarsest {
+        level = s.splat(coarser).select(level, w.lt(s.splat_f(threshold)));
+        threshold *= 0.5;
     }
     lookup(s, plan, level, bilinear_lanes(s, plan, steps.base, w))
 }

@@ -16,7 +16,8 @@ use crate::state::DITHER_4X4;
 #[inline(always)]
 pub(crate) fn lod_base(s: &PlaneF, t: &PlaneF) -> i32 {
     let length = |s: f64, t: f64| s * s + t * t;
-    let longest = length(s.dx, t.dx).max(length(s.dy, t.dy));
+    let (across, down) = (length(s.dx, t.dx), length(s.dy, t.dy));
+    let longest = if across > down { across } else { down };
     if longest > 0.0 { log2_8(longest) >> 1 } else { -0x8000 }
 }
 
@@ -25,6 +26,15 @@ pub(crate) fn lod_base(s: &PlaneF, t: &PlaneF) -> i32 {
 #[inline(always)]
 pub(super) fn smallest_w(base: i32, lod: i32) -> f64 {
     smallest_with_log2_8(base - lod)
+}
+
+/// The level of detail, whole and limited, that a w selects.
+#[inline(always)]
+pub(super) fn level_at((finest, coarsest): (i32, i32), base: i32, w: f64) -> i32 {
+    if w <= 0.0 {
+        return coarsest;
+    }
+    ((base - log2_8(w)) >> 8).min(coarsest).max(finest)
 }
 
 /// The smallest w whose level is below `level`.
