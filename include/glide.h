@@ -617,7 +617,7 @@ FX_ENTRY void FX_CALL grErrorSetCallback(GrErrorCallbackFnc_t fnc);
 FX_ENTRY void FX_CALL grHints(GrHint_t hintType, FxU32 hintMask);
 FX_ENTRY void FX_CALL grCheckForRoom(FxI32 n);
 
-/* Position and size in pixels; frame 0 plays the whole splash. */
+/* Position and size in pixels; frames from 1 on, 0 for the finished picture. */
 FX_ENTRY void FX_CALL grSplash(float x, float y, float width, float height, FxU32 frame);
 
 FX_ENTRY FxBool FX_CALL grSstQueryBoards(GrHwConfiguration *hwConfig);
@@ -804,7 +804,8 @@ FX_ENTRY FxBool FX_CALL grLfbReadRegion(
  * Glide 2.0 to 2.3 names that 2.4 dropped
  * --------------------------------------------------------------------- */
 
-/* As grSstWinOpen without a window; num_buffers 2 or 3. */
+/* As grSstWinOpen without a window; num_buffers 2 or 3: two have an auxiliary
+ * buffer where memory has room for it, three have none. */
 FX_ENTRY FxBool FX_CALL grSstOpen(
     GrScreenResolution_t screen_resolution, GrScreenRefresh_t refresh_rate,
     GrColorFormat_t color_format, GrOriginLocation_t origin_location,

@@ -384,7 +384,8 @@ fn write_pixels(pair: &mut Pair, rng: &mut Rng) {
     assert_eq!(pair.call(&Call::GrLfbLock { kind: 1, buffer, mode, origin, pipeline }), 1);
     let (state, _) = pair.state();
     let before = pair.reference.counters.pixels_out;
-    let write = Write { state: &state, mode, format, origin, alpha, depth };
+    let alpha_planes = pair.current.get("alpha mask") == Some(&1);
+    let write = Write { state: &state, mode, format, origin, alpha, depth, alpha_planes };
     for _ in 0..3 {
         write.store_runs(pair, rng, pipeline == 1);
         draw_triangle(pair, rng);
@@ -413,6 +414,8 @@ struct Write<'a> {
     origin: i32,
     alpha: u8,
     depth: u16,
+    /// Whether the aux buffer holds alpha, which depth buffering does not change.
+    alpha_planes: bool,
 }
 
 impl Write<'_> {
@@ -488,7 +491,6 @@ impl Write<'_> {
     /// that holds alpha, depth where it does not; ZA16 always.
     fn past_pipeline(&self, reference: &mut Reference, x: u32, y: u32, values: &[u32]) {
         let row = if self.origin == 1 { HEIGHT - 1 - y } else { y };
-        let alpha_planes = self.state.blend.map_or(self.alpha_planes(), |blend| blend.alpha_plane);
         let dither: Dither = self.state.dither;
         for (x, &value) in (x..).zip(values) {
             let at = (row * WIDTH + x) as usize;
@@ -498,16 +500,12 @@ impl Write<'_> {
                 reference.color[at] = pack(PixelFormat::Rgb565, argb, dither, x, row);
             }
             let aux = &mut reference.aux.as_mut().expect("there is an aux buffer")[at];
-            match (self.mode == 0xf, alpha_planes, alpha, depth) {
+            match (self.mode == 0xf, self.alpha_planes, alpha, depth) {
                 (true, _, _, Some(depth)) | (false, false, _, Some(depth)) => *aux = depth & 0xffff,
                 (false, true, Some(alpha), _) => *aux = alpha & 0xffff,
                 _ => {}
             }
         }
-    }
-
-    fn alpha_planes(&self) -> bool {
-        self.state.aux_write == fillrate_engine::state::AuxWrite::Alpha
     }
 }
 

@@ -48,6 +48,11 @@ static FxBool open_board(int resolution, int colors, int aux)
                         GR_ORIGIN_UPPER_LEFT, colors, aux);
 }
 
+static FxBool old_open(int resolution, int refresh, int format, int origin, int smoothing, int buffers)
+{
+    return grSstOpen(resolution, refresh, format, origin, smoothing, buffers);
+}
+
 static void place(float x0, float y0, float x1, float y1, float x2, float y2, float x3, float y3)
 {
     float at[4][2];
@@ -66,6 +71,7 @@ static void place(float x0, float y0, float x1, float y1, float x2, float y2, fl
 static void opening(void)
 {
     M(open_board(7, 2, 1));                 /* before grGlideInit */
+    M(old_open(7, 0, 0, 0, 1, 2));
     S(grGlideInit());
     M(grBufferClear(0, 0, 0));              /* no board is open */
     M(grSstSelect(1));
@@ -79,8 +85,21 @@ static void opening(void)
     M(open_board(7, 2, 2));
     M(open_board(7, 3, 1));
     M(open_board(8, 2, 1));                 /* too large for two megabytes */
+    M(old_open(12, 0, 0, 0, 1, 2));
+    M(old_open(7, 99, 0, 0, 1, 2));
+    M(old_open(7, 0, 4, 0, 1, 2));
+    S(grSstWinClose());
+    M(old_open(7, 0, 0, 2, 1, 2));
+    S(grSstWinClose());
+    M(old_open(7, 0, 0, 0, 2, 2));
+    S(grSstWinClose());
+    M(old_open(7, 0, 0, 0, 1, 1));
+    M(old_open(8, 0, 0, 0, 1, 3));          /* three buffers are too large */
+    S(old_open(8, 0, 0, 0, 1, 2));          /* two are not */
+    S(grSstWinClose());
     S(open_board(7, 2, 1));
     M(open_board(7, 2, 1));
+    M(old_open(7, 0, 0, 0, 1, 2));
 }
 
 static void frames(void)
@@ -122,6 +141,13 @@ static void locks(void)
     S(grLfbUnlock(GR_LFB_WRITE_ONLY, 1));
     M(grLfbUnlock(GR_LFB_WRITE_ONLY, 1));
     M(grLfbLock(GR_LFB_READ_ONLY, 1, 0xff, 0, 0, NULL));
+    info.size = 0;
+    M(grLfbLock(GR_LFB_WRITE_ONLY, 1, 0xff, 0, 0, &info));
+    S(grLfbUnlock(GR_LFB_WRITE_ONLY, 1));
+    info.size = sizeof info;
+    M(grLfbGetWritePtr(2));                 /* the write mode is for colours */
+    M(grLfbGetReadPtr(5));
+    S(grLfbEnd());
     M(grLfbWriteColorFormat(4));
     M(grLfbWriteMode(3));
     M(grLfbOrigin(2));
@@ -187,6 +213,9 @@ static void primitives(void)
     M(grAADrawTriangle(&v[0], &v[1], &v[3], 1, 1, 1));
     M(grAADrawPolygon(4, list, v));
     M(grAADrawPolygon(2, list, v));
+    M(grDrawPolygonVertexList(2, v));
+    M(grDrawPlanarPolygonVertexList(2, v));
+    M(grAADrawPolygonVertexList(2, v));
     place(0, 0, 10, 0, 3, 3, 0, 10);
     M(grDrawPolygon(4, list, v));
     M(grDrawPlanarPolygon(4, list, v));
@@ -230,6 +259,7 @@ static void primitives(void)
 static void textures(void)
 {
     GrTexInfo good = texture(8, 0, SQUARE, RGB565);
+    GrMipMapId_t id;
 
     ADDRESSES(grTexSource);
     ADDRESSES(grTexDownloadMipMap);
@@ -258,6 +288,11 @@ static void textures(void)
     M(grTexCombine(0, 0, 0, 10, 0, 0, 0));
     M(grTexCombine(0, 0, 0, 0, 6, 0, 0));
     M(grTexCombineFunction(0, 11));
+    M(guTexCombineFunction(0, 11));
+    M(grTexDownloadMipMapLevel(0, 4, 0, 0, SQUARE, RGB565, 3, texels));
+    id = guTexAllocateMemory(0, 3, 1, 1, RGB565, 0, GR_LOD_1, GR_LOD_1, SQUARE, 0, 0, 0, 0, 0.0f, 0);
+    S(guTexSource(id));
+    M(guTexSource(id));
     M(grTexDetailControl(0, -33, 0, 0.0f));
     M(grTexDetailControl(0, 0, 8, 0.0f));
     M(grTexDetailControl(0, 0, 0, 1.5f));
@@ -288,6 +323,13 @@ static void nulls(void)
     M(grSstQueryHardware(NULL));
     M(grSstQueryBoards(NULL));
     M(grGlideGetVersion(NULL));
+    M(grTexTextureMemRequired(3, NULL));
+    M(grTexMultibaseAddress(0, 0, 0, 3, NULL));
+    M(grTexDownloadMipMapLevel(0, 0, 0, 0, SQUARE, RGB565, 3, NULL));
+    M(guDrawPolygonVertexListWithClip(3, NULL));
+    M(guFogGenerateExp(NULL, 1.0f));
+    M(guFogGenerateExp2(NULL, 1.0f));
+    M(guFogGenerateLinear(NULL, 1.0f, 2.0f));
 }
 
 /* A third colour buffer leaves no auxiliary one. */
@@ -324,6 +366,7 @@ static void other_boards(const char *which)
 int main(int argc, char **argv)
 {
     grErrorSetCallback(heard);
+    info.size = sizeof info;
     if (argc > 1) {
         other_boards(argv[1]);
         return 0;

@@ -229,7 +229,10 @@ fn raw_faults_name_their_place() {
         // A clear that lacks its colour, and a scene that does not end.
         let (code, text) = play("0x0000001d\n0x00000003\n", build);
         assert_eq!(code, Some(3));
-        assert!(text.contains("word 2: the stream ends inside RENDER_CLEARFB, 1 words"), "{text}");
+        assert!(
+            text.contains("word 2: the stream ends inside RENDER_CLEARFB, words missing: 1"),
+            "{text}"
+        );
         let (code, text) = play("0x00000001\nwait******\n0x00000001\n0x00000002\n", build);
         assert_eq!(code, Some(3));
         assert!(text.contains("word 3: the stream ends inside a scene"), "{text}");

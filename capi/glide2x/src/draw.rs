@@ -4,7 +4,7 @@ use fillrate_glide::{Call, GrVertex};
 use fillrate_guard::{guard, read};
 
 use crate::library::gather;
-use crate::session::{call, draw_triangle, null};
+use crate::session::{call, call_as, draw_triangle, null};
 
 /// Exports that take vertices by pointer.
 macro_rules! primitives {
@@ -83,7 +83,7 @@ macro_rules! polygons {
                 }
                 // SAFETY: the caller's promise.
                 let vertices = unsafe { gather(count, Some(indices), vertices) };
-                call(Call::$call { vertices });
+                call_as(stringify!($indexed), Call::$call { vertices });
             })
         }
         $(#[$doc])*
@@ -98,7 +98,7 @@ macro_rules! polygons {
                 }
                 // SAFETY: the caller's promise.
                 let vertices = unsafe { gather(count, None, vertices) };
-                call(Call::$call { vertices });
+                call_as(stringify!($listed), Call::$call { vertices });
             })
         }
     )*};
@@ -120,6 +120,9 @@ polygons! {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn guDrawPolygonVertexListWithClip(count: i32, vertices: *const GrVertex) {
     guard((), || {
+        if vertices.is_null() {
+            return null("guDrawPolygonVertexListWithClip");
+        }
         // SAFETY: the caller's promise.
         let vertices = unsafe { gather(count, None, vertices) };
         call(Call::GuDrawPolygonVertexListWithClip { vertices });

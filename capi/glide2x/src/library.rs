@@ -211,18 +211,22 @@ pub extern "C" fn grSstWinOpen(
 }
 
 /// Opens the current board without a window: two buffers come with an aux
-/// buffer, three without.
+/// buffer where memory has room for it, three without. Without smoothing the
+/// screen filter leaves the picture as it is.
 #[unsafe(no_mangle)]
 pub extern "C" fn grSstOpen(
     resolution: i32,
     refresh: i32,
     color_format: i32,
     origin: i32,
-    _smoothing: i32,
+    smoothing: i32,
     buffers: i32,
 ) -> i32 {
-    let aux = i32::from(buffers == 2);
-    grSstWinOpen(0, resolution, refresh, color_format, origin, buffers, aux)
+    guard(0, || {
+        let open =
+            Call::GrSstOpen { resolution, refresh, color_format, origin, smoothing, buffers };
+        call(open) as i32
+    })
 }
 
 /// Shows or hides the board's picture; there is no other to show.

@@ -1,12 +1,13 @@
 //! Linear frame buffer access.
 
+use std::borrow::Cow;
 use std::ffi::c_void;
 
 use fillrate_glide::{Call, ROW_PIXELS};
 use fillrate_guard::{bytes, guard, write};
 
 use crate::library::calls;
-use crate::session::{ask, call, null, session};
+use crate::session::{ask, call, call_as, null, session, wrong_info_size};
 
 /// `GrLfbInfo_t`.
 #[repr(C)]
@@ -36,6 +37,34 @@ calls! {
     grLfbBypassMode(mode: i32) = Call::GrLfbBypassMode { mode };
 }
 
+/// A rectangle's rows from the first one down, and bytes from one to the next.
+///
+/// # Safety
+/// `data` points to the first of `height` rows of `width` bytes, each `stride`
+/// bytes after the one before: upside-down pictures have negative strides.
+unsafe fn rectangle<'a>(
+    data: *const u8,
+    stride: i32,
+    width: usize,
+    height: usize,
+) -> (Cow<'a, [u8]>, i32) {
+    if height == 0 {
+        return (Cow::default(), stride);
+    }
+    if let Ok(stride) = usize::try_from(stride) {
+        // SAFETY: the caller's promise.
+        let rows = unsafe { bytes(data, (height - 1) * stride + width) };
+        return (Cow::Borrowed(rows), stride as i32);
+    }
+    let mut rows = Vec::with_capacity(width * height);
+    for row in 0..height as isize {
+        let row = data.wrapping_offset(row * stride as isize);
+        // SAFETY: the caller's promise.
+        rows.extend_from_slice(unsafe { bytes(row, width) });
+    }
+    (Cow::Owned(rows), width as i32)
+}
+
 /// The start of a lock's memory. It does not move until the unlock.
 fn memory(kind: i32) -> *mut c_void {
     let mut session = session();
@@ -60,21 +89,27 @@ pub unsafe extern "C" fn grLfbLock(
             null("grLfbLock");
             return 0;
         }
+        // SAFETY: the caller gives a description.
+        if unsafe { (&raw const (*info).size).read_unaligned() } != size_of::<LfbInfo>() as i32 {
+            wrong_info_size("grLfbLock");
+        }
         if call(Call::GrLfbLock { kind, buffer, mode, origin, pipeline }) == 0 {
             return 0;
         }
         let wide = matches!(mode, 4 | 5 | 0xc..=0xe) && kind & 0xf == 1;
         let native = if buffer >= 2 { 0xf } else { 0 };
-        let resolved = if kind & 0xf == 0 || mode == 0xff { native } else { mode };
-        let locked = LfbInfo {
-            size: size_of::<LfbInfo>() as i32,
-            pointer: memory(kind),
-            stride: (ROW_PIXELS * if wide { 4 } else { 2 }) as u32,
-            write_mode: resolved,
-            origin,
-        };
+        let resolved = if mode == 0xff { native } else { mode };
+        let stride = (ROW_PIXELS * if wide { 4 } else { 2 }) as u32;
         // SAFETY: the caller gives room for the description.
-        unsafe { write(info, locked) };
+        unsafe {
+            write(&raw mut (*info).pointer, memory(kind));
+            write(&raw mut (*info).stride, stride);
+            write(&raw mut (*info).origin, origin);
+            // Nothing is written through a read lock: its mode stays as it is.
+            if kind & 0xf == 1 {
+                write(&raw mut (*info).write_mode, resolved);
+            }
+        }
         1
     })
 }
@@ -88,7 +123,8 @@ pub extern "C" fn grLfbUnlock(kind: i32, buffer: i32) -> i32 {
 /// Writes a rectangle.
 ///
 /// # Safety
-/// `data` is null or points to `height` rows, `stride` bytes apart.
+/// `data` is null or points to the first of `height` rows, each `stride` bytes
+/// after the one before.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn grLfbWriteRegion(
     buffer: i32,
@@ -107,10 +143,10 @@ pub unsafe extern "C" fn grLfbWriteRegion(
         }
         let pixel = if matches!(format, 4 | 5 | 0xc..=0xe) { 4 } else { 2 };
         let (width, height) = (width.min(ROW_PIXELS as u32), height.min(ROW_PIXELS as u32));
-        let rows = (height as usize).saturating_sub(1) * usize::try_from(stride).unwrap_or(0);
-        let size = if height == 0 { 0 } else { rows + width as usize * pixel };
         // SAFETY: the caller's data holds the rectangle.
-        let data = unsafe { bytes(data, size) }.into();
+        let (data, stride) =
+            unsafe { rectangle(data, stride, width as usize * pixel, height as usize) };
+        let data = data[..].into();
         call(Call::GrLfbWriteRegion { buffer, x, y, format, width, height, stride, data }) as i32
     })
 }
@@ -118,7 +154,8 @@ pub unsafe extern "C" fn grLfbWriteRegion(
 /// Reads a rectangle as 16-bit pixels.
 ///
 /// # Safety
-/// `to` is null or has room for `height` rows, `stride` bytes apart.
+/// `to` is null or the first of `height` rows with room for `width` pixels, each
+/// `stride` bytes after the one before.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn grLfbReadRegion(
     buffer: i32,
@@ -141,7 +178,8 @@ pub unsafe extern "C" fn grLfbReadRegion(
         }
         let columns = (width as usize).min(ROW_PIXELS);
         for (row, line) in pixels.chunks_exact(columns).enumerate() {
-            let at = to.wrapping_add(row * stride as usize).cast::<u16>();
+            // A number of 32 bits, which old programs could wrap around.
+            let at = to.wrapping_offset(row as isize * (stride as i32) as isize).cast::<u16>();
             for (column, &pixel) in line.iter().enumerate() {
                 // SAFETY: inside the caller's rectangle.
                 unsafe { at.wrapping_add(column).write_unaligned(pixel) }
@@ -195,7 +233,13 @@ fn pointer(kind: i32, buffer: i32) -> *mut c_void {
         let (mode, origin, pipeline) = session().context.old_lfb_settings();
         end(kind);
         let pipeline = i32::from(pipeline);
-        call(Call::GrLfbLock { kind, buffer, mode, origin, pipeline });
+        let name = if kind == 0 { "grLfbGetReadPtr" } else { "grLfbGetWritePtr" };
+        let lock = |mode| Call::GrLfbLock { kind, buffer, mode, origin, pipeline };
+        // A mode that does not fit the buffer must not leave the program without
+        // a pointer: it may set the right one before it writes.
+        if call_as(name, lock(mode)) == 0 && kind == 1 {
+            call_as(name, lock(0xff));
+        }
         session().old_buffers[kind as usize] = buffer;
         memory(kind)
     })
@@ -240,7 +284,8 @@ pub unsafe extern "C" fn guFbReadRegion(
 /// `grLfbGetWritePtr`, before 2.4.
 ///
 /// # Safety
-/// `data` is null or points to `height` rows, `stride` bytes apart.
+/// `data` is null or points to the first of `height` rows, each `stride` bytes
+/// after the one before.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn guFbWriteRegion(
     x: i32,
@@ -255,13 +300,10 @@ pub unsafe extern "C" fn guFbWriteRegion(
             return null("guFbWriteRegion");
         }
         let (width, height) = (width.clamp(0, MAX_SIDE), height.clamp(0, MAX_SIDE));
-        if width == 0 || height == 0 || stride < 0 {
-            return;
-        }
-        let size = (height as usize - 1) * stride as usize + width as usize * 2;
         // SAFETY: the caller's data holds the rectangle.
-        let data = unsafe { bytes(data, size) }.into();
-        let buffer = session().old_buffers[1];
+        let (data, stride) =
+            unsafe { rectangle(data, stride, width as usize * 2, height as usize) };
+        let (buffer, data) = (session().old_buffers[1], data[..].into());
         call(Call::GuFbWriteRegion { buffer, x, y, width, height, stride, data });
     })
 }

@@ -38,6 +38,15 @@ pub fn session() -> MutexGuard<'static, Session> {
 
 /// Executes a call, records it, and tells the program what went wrong.
 pub fn call(call: Call) -> u32 {
+    execute(call, None)
+}
+
+/// The same for a function that is another one's call: reports have its name.
+pub fn call_as(function: &str, call: Call) -> u32 {
+    execute(call, Some(function))
+}
+
+fn execute(call: Call, function: Option<&str>) -> u32 {
     let mut session = session();
     session.record_before(&call);
     let swaps = session.context.swaps();
@@ -49,7 +58,7 @@ pub fn call(call: Call) -> u32 {
     if let Call::GrGlideShutdown {} = call {
         session.finish();
     }
-    tell(session);
+    tell(session, function);
     result
 }
 
@@ -60,7 +69,7 @@ pub fn draw_triangle(a: &GrVertex, b: &GrVertex, c: &GrVertex) {
         session.record_before(&Call::GrDrawTriangle { a: *a, b: *b, c: *c });
     }
     session.context.draw_triangle(a, b, c);
-    tell(session);
+    tell(session, None);
 }
 
 /// Asks the library something and tells the program what went wrong. Whoever
@@ -69,7 +78,7 @@ pub fn ask<T>(question: impl FnOnce(&mut Context) -> T) -> T {
     let mut session = session();
     session.record_stores();
     let answer = question(&mut session.context);
-    tell(session);
+    tell(session, None);
     answer
 }
 
@@ -78,15 +87,24 @@ pub fn null(function: &str) {
     ask(|context| context.null_pointer(function));
 }
 
+/// In checking mode, tells of a lock's description without its size.
+pub fn wrong_info_size(function: &str) {
+    ask(|context| context.wrong_info_size(function));
+}
+
 /// Passes reports on, with the library unlocked: a callback may call it.
-fn tell(mut session: MutexGuard<'static, Session>) {
+/// `function` is the name to tell where it is not the call's own.
+fn tell(mut session: MutexGuard<'static, Session>, function: Option<&str>) {
     if !session.context.has_reports() {
         return;
     }
     let reports = session.context.take_reports();
     let callback = session.callback;
     drop(session);
-    for report in reports {
+    for mut report in reports {
+        if let Some(function) = function {
+            report.function = function.to_string();
+        }
         tell_one(callback, &report);
     }
 }

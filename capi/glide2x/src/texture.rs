@@ -7,7 +7,7 @@ use fillrate_glide::{Call, TextureInfo};
 use fillrate_guard::{bytes, guard, read};
 
 use crate::library::calls;
-use crate::session::{ask, call, null};
+use crate::session::{ask, call, call_as, null};
 
 /// `GrTexInfo`.
 #[repr(C)]
@@ -45,8 +45,6 @@ calls! {
     };
     /// Sets a texture combine unit by a preset.
     grTexCombineFunction(tmu: i32, function: i32) = Call::GrTexCombineFunction { tmu, function };
-    /// Sets a texture combine unit by a preset.
-    guTexCombineFunction(tmu: i32, function: i32) = Call::GrTexCombineFunction { tmu, function };
     /// Sets the detail factor.
     grTexDetailControl(tmu: i32, lod_bias: i32, scale: u8, max: f32) =
         Call::GrTexDetailControl { tmu, lod_bias, scale, max };
@@ -59,6 +57,14 @@ calls! {
     grTexMipMapMode(tmu: i32, mode: i32, blend: i32) = Call::GrTexMipMapMode { tmu, mode, blend };
     /// Switches several base addresses.
     grTexMultibase(tmu: i32, enable: i32) = Call::GrTexMultibase { tmu, enable };
+}
+
+/// Sets a texture combine unit by a preset.
+#[unsafe(no_mangle)]
+pub extern "C" fn guTexCombineFunction(tmu: i32, function: i32) {
+    guard((), || {
+        call_as("guTexCombineFunction", Call::GrTexCombineFunction { tmu, function });
+    })
 }
 
 /// The lowest address of texture memory.
@@ -93,8 +99,14 @@ pub extern "C" fn grTexCalcMemRequired(small: i32, large: i32, aspect: i32, form
 /// `info` is null or points to a `GrTexInfo`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn grTexTextureMemRequired(even_odd: u32, info: *const TexInfo) -> u32 {
-    // SAFETY: the caller's promise.
-    guard(0, || unsafe { read(info) }.map_or(0, |info| memory_required(&info.info(), even_odd)))
+    guard(0, || {
+        // SAFETY: the caller's promise.
+        let Some(info) = (unsafe { read(info) }) else {
+            null("grTexTextureMemRequired");
+            return 0;
+        };
+        memory_required(&info.info(), even_odd)
+    })
 }
 
 /// Points a unit at a texture.
@@ -174,11 +186,55 @@ pub unsafe extern "C" fn grTexDownloadMipMapLevel(
     data: *const u8,
 ) {
     let last = layout::size(aspect, this_lod.clamp(0, 8) as u32).1 as i32 - 1;
+    let level = Level { tmu, start, this_lod, large_lod, aspect, format, even_odd };
     // SAFETY: all rows are the whole level.
-    unsafe {
-        grTexDownloadMipMapLevelPartial(
-            tmu, start, this_lod, large_lod, aspect, format, even_odd, data, 0, last,
-        )
+    guard((), || unsafe { level.download("grTexDownloadMipMapLevel", data, 0, last) })
+}
+
+/// A level, and where its texture is.
+struct Level {
+    tmu: i32,
+    start: u32,
+    this_lod: i32,
+    large_lod: i32,
+    aspect: i32,
+    format: i32,
+    even_odd: u32,
+}
+
+impl Level {
+    /// Stores rows `first..=last`, for the function of that name.
+    ///
+    /// # Safety
+    /// `data` is null or points to those rows.
+    unsafe fn download(self, function: &str, data: *const u8, first: i32, last: i32) {
+        if data.is_null() {
+            return null(function);
+        }
+        let Level { tmu, start, this_lod, large_lod, aspect, format, even_odd } = self;
+        let info = TextureInfo { small_lod: this_lod, large_lod, aspect, format };
+        let (_, height) = layout::size(aspect, this_lod.clamp(0, 8) as u32);
+        let rows = if first >= 0 && first <= last && last < height as i32 {
+            (last - first + 1) as usize
+        } else {
+            0
+        };
+        let size = host_bytes(&info, this_lod) / height as usize * rows;
+        // SAFETY: the caller's data holds the rows.
+        let data = unsafe { bytes(data, size) }.into();
+        let download = Call::GrTexDownloadMipMapLevelPartial {
+            tmu,
+            start,
+            this_lod,
+            large_lod,
+            aspect,
+            format,
+            even_odd,
+            data,
+            first,
+            last,
+        };
+        call_as(function, download);
     }
 }
 
@@ -199,33 +255,9 @@ pub unsafe extern "C" fn grTexDownloadMipMapLevelPartial(
     first: i32,
     last: i32,
 ) {
-    guard((), || {
-        if data.is_null() {
-            return null("grTexDownloadMipMapLevelPartial");
-        }
-        let info = TextureInfo { small_lod: this_lod, large_lod, aspect, format };
-        let (_, height) = layout::size(aspect, this_lod.clamp(0, 8) as u32);
-        let rows = if first >= 0 && first <= last && last < height as i32 {
-            (last - first + 1) as usize
-        } else {
-            0
-        };
-        let size = host_bytes(&info, this_lod) / height as usize * rows;
-        // SAFETY: the caller's data holds the rows.
-        let data = unsafe { bytes(data, size) }.into();
-        call(Call::GrTexDownloadMipMapLevelPartial {
-            tmu,
-            start,
-            this_lod,
-            large_lod,
-            aspect,
-            format,
-            even_odd,
-            data,
-            first,
-            last,
-        });
-    })
+    let level = Level { tmu, start, this_lod, large_lod, aspect, format, even_odd };
+    // SAFETY: the caller's promise.
+    guard((), || unsafe { level.download("grTexDownloadMipMapLevelPartial", data, first, last) })
 }
 
 /// Stores a palette or a compression table.
@@ -236,7 +268,7 @@ pub unsafe extern "C" fn grTexDownloadMipMapLevelPartial(
 pub unsafe extern "C" fn grTexDownloadTable(tmu: i32, table: i32, data: *const c_void) {
     let last = if table == 2 { 255 } else { 11 };
     // SAFETY: the whole table.
-    unsafe { grTexDownloadTablePartial(tmu, table, data, 0, last) }
+    guard((), || unsafe { download_table("grTexDownloadTable", tmu, table, data, (0, last)) })
 }
 
 /// Offset of the packed words in a compression table.
@@ -254,23 +286,38 @@ pub unsafe extern "C" fn grTexDownloadTablePartial(
     first: i32,
     last: i32,
 ) {
-    guard((), || {
-        let (count, offset) = if table == 2 { (256, 0) } else { (12, PACKED) };
-        if data.is_null() {
-            return null("grTexDownloadTablePartial");
-        }
-        if first < 0 || first > last || last >= count {
-            // Past the end, where nothing is stored: for the rules to see.
-            let (first, words) = (count as u32, vec![0]);
-            call(Call::GrTexDownloadTable { tmu, table, first, words });
-            return;
-        }
-        let words = data.cast::<u8>().wrapping_add(offset).cast::<u32>();
-        // SAFETY: inside the caller's table.
-        let word = |i: i32| unsafe { words.add(i as usize).read_unaligned() };
-        let words = (first..=last).map(word).collect();
-        call(Call::GrTexDownloadTable { tmu, table, first: first as u32, words });
+    // SAFETY: the caller's promise.
+    guard((), || unsafe {
+        download_table("grTexDownloadTablePartial", tmu, table, data, (first, last));
     })
+}
+
+/// Stores entries of a table, for the function of that name.
+///
+/// # Safety
+/// `data` is null or points to a whole table of that type.
+unsafe fn download_table(
+    function: &str,
+    tmu: i32,
+    table: i32,
+    data: *const c_void,
+    (first, last): (i32, i32),
+) {
+    let (count, offset) = if table == 2 { (256, 0) } else { (12, PACKED) };
+    if data.is_null() {
+        return null(function);
+    }
+    if first < 0 || first > last || last >= count {
+        // Past the end, where nothing is stored: for the rules to see.
+        let (first, words) = (count as u32, vec![0]);
+        call_as(function, Call::GrTexDownloadTable { tmu, table, first, words });
+        return;
+    }
+    let words = data.cast::<u8>().wrapping_add(offset).cast::<u32>();
+    // SAFETY: inside the caller's table.
+    let word = |i: i32| unsafe { words.add(i as usize).read_unaligned() };
+    let words = (first..=last).map(word).collect();
+    call_as(function, Call::GrTexDownloadTable { tmu, table, first: first as u32, words });
 }
 
 /// Sets one of several base addresses.
@@ -289,7 +336,7 @@ pub unsafe extern "C" fn grTexMultibaseAddress(
         // SAFETY: the caller's promise.
         let Some(TexInfo { small_lod, large_lod, aspect, format, .. }) = (unsafe { read(info) })
         else {
-            return;
+            return null("grTexMultibaseAddress");
         };
         call(Call::GrTexMultibaseAddress {
             tmu,

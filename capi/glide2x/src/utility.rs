@@ -14,14 +14,26 @@ pub extern "C" fn guFogTableIndexToW(index: i32) -> f32 {
     gu::fog_table_w(index)
 }
 
+/// Stores a fog table for the function of that name.
+///
+/// # Safety
+/// `to` is null or has room for 64 bytes.
+unsafe fn give_table(function: &str, to: *mut [u8; 64], table: [u8; 64]) {
+    if to.is_null() {
+        return null(function);
+    }
+    // SAFETY: the caller gives room for a table.
+    unsafe { write(to, table) }
+}
+
 /// Exponential fog.
 ///
 /// # Safety
 /// `table` is null or has room for 64 bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn guFogGenerateExp(table: *mut [u8; 64], density: f32) {
-    // SAFETY: the caller gives room for a table.
-    guard((), || unsafe { write(table, gu::fog_table_exp(density)) })
+    // SAFETY: the caller's promise.
+    guard((), || unsafe { give_table("guFogGenerateExp", table, gu::fog_table_exp(density)) })
 }
 
 /// Squared exponential fog.
@@ -30,8 +42,8 @@ pub unsafe extern "C" fn guFogGenerateExp(table: *mut [u8; 64], density: f32) {
 /// `table` is null or has room for 64 bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn guFogGenerateExp2(table: *mut [u8; 64], density: f32) {
-    // SAFETY: the caller gives room for a table.
-    guard((), || unsafe { write(table, gu::fog_table_exp2(density)) })
+    // SAFETY: the caller's promise.
+    guard((), || unsafe { give_table("guFogGenerateExp2", table, gu::fog_table_exp2(density)) })
 }
 
 /// Linear fog.
@@ -40,8 +52,10 @@ pub unsafe extern "C" fn guFogGenerateExp2(table: *mut [u8; 64], density: f32) {
 /// `table` is null or has room for 64 bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn guFogGenerateLinear(table: *mut [u8; 64], near: f32, far: f32) {
-    // SAFETY: the caller gives room for a table.
-    guard((), || unsafe { write(table, gu::fog_table_linear(near, far)) })
+    // SAFETY: the caller's promise.
+    guard((), || unsafe {
+        give_table("guFogGenerateLinear", table, gu::fog_table_linear(near, far))
+    })
 }
 
 /// Exchanges the halves of a word.

@@ -7,7 +7,7 @@ use fillrate_engine::{Counters, Device, DrawState, PixelFormat, Registers, Surfa
 
 use crate::card::{Card, RESOLUTIONS};
 use crate::clock::Clock;
-use crate::enums::{MIPMAP_DISABLE, RESOLUTION_NONE};
+use crate::enums::{LEVELS_BOTH, MIPMAP_DISABLE, RESOLUTION_NONE};
 use crate::gu::MipMaps;
 use crate::improve::Improvements;
 use crate::lfb::Lfb;
@@ -19,11 +19,24 @@ use crate::variables::Variables;
 use crate::vertex::VertexRules;
 
 /// What a texture unit's registers do not say.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct UnitSettings {
     pub mip_map_mode: i32,
     pub small_lod: u32,
     pub large_lod: u32,
+    /// The even, odd or all levels, as the texture was sourced.
+    pub even_odd: u32,
+}
+
+impl Default for UnitSettings {
+    fn default() -> UnitSettings {
+        UnitSettings {
+            mip_map_mode: MIPMAP_DISABLE,
+            small_lod: 0,
+            large_lod: 0,
+            even_odd: LEVELS_BOTH,
+        }
+    }
 }
 
 /// State outside the registers. All of it is saved and restored with them.
@@ -88,6 +101,9 @@ pub(crate) struct Board {
     pub correction: Correction,
     /// Counters at the last reset of the pixel and of the triangle counters.
     pub counted: [Counters; 2],
+    /// Launches that are none of the program's triangles: points, lines, smooth
+    /// edges. Now, and at the last reset of the triangle counters.
+    pub helpers: [u64; 2],
     /// Registers changed since the engine was told.
     pub dirty: bool,
     /// How vertices are read, while not dirty.
@@ -119,6 +135,7 @@ impl Board {
             set_up: Registers::default(),
             correction: Correction::default(),
             counted: [Counters::default(); 2],
+            helpers: [0; 2],
             dirty: true,
             rules: VertexRules::default(),
             dither_subtract: !variables.no_dither_subtraction,
@@ -160,6 +177,7 @@ impl Board {
         self.device.reset_counters();
         self.correction = Correction::default();
         self.counted = [Counters::default(); 2];
+        self.helpers = [0; 2];
         self.mip_maps.reset();
         self.set_defaults(origin, (width, height));
         true
@@ -266,17 +284,20 @@ impl Board {
     }
 
     /// What was counted since the last resets.
+    ///
+    /// Source: G246, triangle set-up: only what it is given counts as a triangle.
     pub fn counters(&mut self) -> Counters {
         let now = self.totals();
         let [pixels, triangles] = &self.counted;
+        let helpers = self.helpers[0] - self.helpers[1];
         Counters {
             pixels_in: now.pixels_in - pixels.pixels_in,
             chroma_fail: now.chroma_fail - pixels.chroma_fail,
             depth_fail: now.depth_fail - pixels.depth_fail,
             alpha_fail: now.alpha_fail - pixels.alpha_fail,
             pixels_out: now.pixels_out - pixels.pixels_out,
-            triangles_in: now.triangles_in - triangles.triangles_in,
-            triangles_drawn: now.triangles_drawn - triangles.triangles_drawn,
+            triangles_in: now.triangles_in - triangles.triangles_in - helpers,
+            triangles_drawn: now.triangles_drawn - triangles.triangles_drawn - helpers,
         }
     }
 
@@ -286,6 +307,7 @@ impl Board {
 
     pub fn reset_triangle_counters(&mut self) {
         self.counted[1] = self.totals();
+        self.helpers[1] = self.helpers[0];
     }
 
     /// Row order of drawing.
@@ -306,6 +328,6 @@ pub(crate) fn default_settings(color_format: i32, (width, height): (u32, u32)) -
         lfb_depth: 0,
         color_format,
         clip: [0.0, 0.0, width as f32, height as f32],
-        units: [UnitSettings { mip_map_mode: MIPMAP_DISABLE, ..UnitSettings::default() }; MAX_TMUS],
+        units: [UnitSettings::default(); MAX_TMUS],
     }
 }

@@ -28,15 +28,17 @@ pub struct Shown {
 impl Board {
     /// Fills the clip window of the buffer drawn to, by the current masks.
     ///
-    /// Source: G246, `grBufferClear`; the aux plane takes alpha where it holds
-    /// alpha, else depth where depth buffering is on.
+    /// Source: G246, `grBufferClear`; SST1, fastfillCMD: the aux plane takes alpha
+    /// where it holds alpha, else depth where depth buffering is on, else what
+    /// the register has, which is the depth bias.
     pub(crate) fn clear(&mut self, color: u32, alpha: u8, depth: u16) {
         self.update();
         let on = |bit: u32| self.fbi.fbz_mode & bit != 0;
         let aux = match (on(fbz::AUX_WRITE), on(fbz::ALPHA_PLANES), on(fbz::DEPTH_ENABLE)) {
             (true, true, _) => Some(u32::from(alpha)),
             (true, false, true) => Some(u32::from(depth)),
-            _ => None,
+            (true, false, false) => Some(self.fbi.za_color & 0xffff),
+            (false, ..) => None,
         };
         let color = on(fbz::RGB_WRITE).then(|| (self.color(color), self.dither()));
         self.fill(ClearValues { color, aux });

@@ -200,5 +200,7 @@ value_enum! {
         144 => ConvertAndDownloadRle { tmu: i32, start: u32, this_lod: i32, large_lod: i32, aspect: i32, format: i32, even_odd: u32, sprite: Data, rows: i32, u0: u32, v0: u32, width: u32, height: u32, dest_width: u32, dest_height: u32, table: Vec<u16> },
         /// What was stored through the write lock: runs of pixels.
         145 => GrLfbStored { changes: Data },
+        /// Opens the current board as before 2.4.
+        146 => GrSstOpen { resolution: i32, refresh: i32, color_format: i32, origin: i32, smoothing: i32, buffers: i32 },
     }
 }

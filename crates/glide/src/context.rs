@@ -15,7 +15,7 @@ use crate::error::{GlideError, Report, historic_name};
 use crate::gu::MultiPass;
 use crate::improve::{Improvements, MAX_SCALE};
 use crate::lfb::{LfbInfo, Meeting};
-use crate::rules::{NOT_OPEN, NULL_POINTER};
+use crate::rules::{INFO_SIZE, NOT_OPEN, NULL_POINTER};
 use crate::state::STATE_BYTES;
 use crate::variables::Variables;
 use crate::vertex::GrVertex;
@@ -219,10 +219,20 @@ impl Context {
 
     /// In checking mode, tells of a null pointer, which only the caller sees.
     pub fn null_pointer(&mut self, function: &str) {
+        self.tell_of_border(function, NULL_POINTER, true);
+    }
+
+    /// In checking mode, tells of a lock's description without its size, which
+    /// only the caller sees.
+    pub fn wrong_info_size(&mut self, function: &str) {
+        self.tell_of_border(function, INFO_SIZE, false);
+    }
+
+    fn tell_of_border(&mut self, function: &str, rule: (&'static str, &'static str), fatal: bool) {
         if self.config.check {
             self.told = false;
-            let (argument, text) = NULL_POINTER;
-            self.add_report(function, argument, text.to_string(), true);
+            let (argument, text) = rule;
+            self.add_report(function, argument, text.to_string(), fatal);
         }
     }
 

@@ -38,7 +38,20 @@ impl Context {
             Call::GrGlideShutdown {} => self.shutdown(),
             Call::GrSstSelect { board } => self.select(*board),
             Call::GrSstWinOpen { resolution, color_format, origin, colors, aux, .. } => {
-                return u32::from(self.open(*resolution, *color_format, *origin, *colors, *aux));
+                let frame = (*resolution, *colors, *aux);
+                return u32::from(self.open(call.name(), frame, *color_format, *origin));
+            }
+            Call::GrSstOpen { resolution, color_format, origin, smoothing, buffers, .. } => {
+                // There is an aux buffer beside two where memory has room for it.
+                let wanted = self.variables.resolution.unwrap_or(*resolution);
+                let card = &self.config.card;
+                let room = usize::try_from(wanted).is_ok_and(|index| card.holds(index, 3));
+                let frame = (*resolution, *buffers, i32::from(*buffers == 2 && room));
+                let opened = self.open(call.name(), frame, *color_format, *origin);
+                if opened && *smoothing == 0 {
+                    self.boards[self.current].filter_thresholds = [0; 3];
+                }
+                return u32::from(opened);
             }
             Call::GrSstWinClose {} => {
                 if let Some(board) = self.boards.get_mut(self.current) {
@@ -99,19 +112,27 @@ impl Context {
         }
     }
 
-    fn open(&mut self, resolution: i32, format: i32, origin: i32, colors: i32, aux: i32) -> bool {
+    /// Opens the current board: resolution, colour and aux buffers; colour format;
+    /// row order.
+    fn open(
+        &mut self,
+        name: &str,
+        (resolution, colors, aux): (i32, i32, i32),
+        format: i32,
+        origin: i32,
+    ) -> bool {
         let Some(board) = self.boards.get_mut(self.current) else {
-            self.check(false, "grSstWinOpen", "the library was not started");
+            self.check(false, name, "the library was not started");
             return false;
         };
         if board.is_open() && self.variables.ignore_reopen {
             board.close();
         } else if board.is_open() {
-            self.check(false, "grSstWinOpen", "the board is open already");
+            self.check(false, name, "the board is open already");
             return false;
         }
         if !(0..=3).contains(&format) {
-            self.check(false, "grSstWinOpen", "unknown colour format");
+            self.check(false, name, "unknown colour format");
             return false;
         }
         board.settings.color_format = format;
@@ -119,6 +140,7 @@ impl Context {
         let opened = board.open(resolution, origin, colors, aux);
         if opened {
             board.gamma = self.variables.gamma_tables();
+            board.filter_thresholds = self.variables.filter_thresholds;
             if self.config.splash && !self.variables.no_splash {
                 board.run_splash();
             }
@@ -145,7 +167,11 @@ impl Context {
         let name = call.name();
         let Some(board) = self.board(name) else { return };
         let known = pixel_call(board, call) && draw_call(board, call);
-        self.check(known, name, "an argument is not one of the enumerants");
+        let text = match call {
+            Call::GrGlideSetState { .. } => "these bytes are no saved state",
+            _ => "an argument is not one of the enumerants",
+        };
+        self.check(known, name, text);
     }
 
     fn texture_call(&mut self, call: &Call) {
@@ -440,7 +466,8 @@ impl Context {
     }
 
     fn lfb_setting(&mut self, call: &Call) -> bool {
-        let Some(board) = self.board("grLfb") else { return false };
+        use fillrate_call::Tagged;
+        let Some(board) = self.board(call.name()) else { return false };
         match *call {
             Call::GrLfbConstantAlpha { alpha } => {
                 board.settings.lfb_alpha = alpha;
@@ -456,7 +483,7 @@ impl Context {
                 }
             }
             Call::GrLfbWriteColorFormat { format } if (0..=3).contains(&format) => {
-                board.settings.color_format = format;
+                board.set_lfb_format(format);
             }
             Call::GrLfbWriteColorSwizzle { bytes, words } => {
                 let mode = switch(board.fbi.lfb_mode, lfb_mode::SWIZZLE_BYTES, bytes != 0);

@@ -1,14 +1,14 @@
 //! State of the pixel pipeline: each function changes register bits.
 //!
 //! Every setter returns false for an enumerant it does not know, and then
-//! changes nothing.
+//! changes nothing; what is a switch is on for any number but 0.
 
 use fillrate_engine::state::FogTable;
 
 use crate::board::Board;
 use crate::combine::{Channel, unit_bits};
 use crate::enums::*;
-use crate::registers::{alpha, color_path, fbz, fog, replace, switch, unit};
+use crate::registers::{FbiRegisters, alpha, color_path, fbz, fog, replace, switch, unit};
 
 /// A colour of the program's format as 0xAARRGGBB.
 ///
@@ -88,15 +88,17 @@ impl Board {
         true
     }
 
-    /// Texturing is on where either unit reads the texture.
+    /// Texturing is on where either unit names the texture.
+    ///
+    /// Source: G246, `grColorCombine`, `grAlphaCombine`; choosing the local colour
+    /// by texture alpha does not turn it on.
     fn update_texture_enable(&mut self) {
         let path = self.fbi.fbz_color_path;
         let select = |at: u32| path >> (at + unit::SELECT_SHIFT) & 7;
         let on = path & 3 == 1
             || path >> 2 & 3 == 1
-            || path & color_path::LOCAL_BY_TEXTURE_ALPHA != 0
             || matches!(select(color_path::COLOR_UNIT), 4 | 5)
-            || matches!(select(color_path::ALPHA_UNIT), 4 | 5);
+            || select(color_path::ALPHA_UNIT) == 4;
         self.fbi.fbz_color_path = switch(path, color_path::TEXTURE_ENABLE, on);
         self.dirty = true;
     }
@@ -104,7 +106,7 @@ impl Board {
     pub(crate) fn set_local_by_texture_alpha(&mut self, on: bool) {
         let path = self.fbi.fbz_color_path;
         self.fbi.fbz_color_path = switch(path, color_path::LOCAL_BY_TEXTURE_ALPHA, on);
-        self.update_texture_enable();
+        self.dirty = true;
     }
 
     /// Colour source and destination, alpha source and destination. The alpha
@@ -198,8 +200,9 @@ impl Board {
         self.fbz(fbz::W_BUFFER, w);
         self.fbz(fbz::COMPARE_CONSTANT, constant);
         self.fbz(fbz::DEPTH_BIAS, mode != 0 && !constant);
-        if mode != 0 {
-            self.fbz(fbz::ALPHA_PLANES, false);
+        let (za_color, fbz_mode) = (self.lasting_registers().za_color, self.fbi.fbz_mode);
+        if let Some(lock) = &mut self.lfb.write {
+            lock.keep(&FbiRegisters { za_color, fbz_mode, ..self.fbi });
         }
         true
     }
@@ -215,7 +218,14 @@ impl Board {
     }
 
     pub(crate) fn set_depth_bias(&mut self, level: i16) {
-        self.fbi.za_color = replace(self.fbi.za_color, 0xffff, level as u16 as u32);
+        // During a write lock the register holds its constants; the level then
+        // takes their place, as on the board, and stays.
+        let lasting = self.lasting_registers();
+        let za_color = replace(lasting.za_color, 0xffff, level as u16 as u32);
+        if let Some(lock) = &mut self.lfb.write {
+            lock.keep(&FbiRegisters { za_color, ..lasting });
+        }
+        self.fbi.za_color = za_color;
         self.dirty = true;
     }
 

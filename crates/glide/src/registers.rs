@@ -115,6 +115,9 @@ pub mod texture_mode {
 
 /// Bits of lfbMode.
 pub mod lfb_mode {
+    /// Two bits, as the program's colour formats are numbered.
+    pub const LANES: u32 = 9;
+    pub const LANES_MASK: u32 = 3 << LANES;
     pub const SWAP_WORDS: u32 = 1 << 11;
     pub const SWIZZLE_BYTES: u32 = 1 << 12;
 }
@@ -125,6 +128,7 @@ pub mod t_lod {
     pub const SPLIT: u32 = 1 << 19;
     pub const S_IS_WIDER: u32 = 1 << 20;
     pub const ASPECT: u32 = 21;
+    pub const ZERO_FRACTION: u32 = 1 << 23;
     pub const MULTIBASE: u32 = 1 << 24;
 }
 

@@ -55,13 +55,15 @@ impl Board {
     /// Runs `draw` with a state for flat blended triangles over the whole
     /// screen, rows from the top, and restores the program's state.
     fn with_plain_state(&mut self, draw: impl FnOnce(&mut Board)) {
-        let kept = self.save();
+        // What a lock changes for its time is no part of a saved state.
+        let (kept, fbi, write) = (self.save(), self.fbi, self.lfb.write);
         let Some(size) = self.buffers.as_ref().map(|b| (b.width, b.height)) else { return };
         self.set_defaults(0, size);
         self.set_alpha_combine(COMBINE_LOCAL, FACTOR_NONE, LOCAL_ITERATED, OTHER_CONSTANT, false);
         self.set_blend([1, 5, BLEND_ONE, BLEND_ZERO]);
         draw(self);
         self.restore(&kept);
+        (self.fbi, self.lfb.write) = (fbi, write);
     }
 
     /// Draws the mark, half seen through, in the lower right corner.

@@ -4,13 +4,18 @@
 //! palettes, texture memory or frame buffer.
 
 use crate::board::{Board, Settings, UnitSettings};
-use crate::registers::{FbiRegisters, TmuRegisters};
+use crate::enums::{LEVELS_BOTH, LEVELS_EVEN, LEVELS_ODD};
+use crate::registers::{FbiRegisters, TmuRegisters, t_lod};
 
 /// Bytes of a saved state.
 pub const STATE_BYTES: usize = 312;
 
 /// The first word of a saved state, so that other bytes are told apart.
-const MAGIC: u32 = 0x3153_4c46;
+const MAGIC: u32 = 0x3253_4c46;
+
+/// The same of releases that kept the levels of textures in tLOD alone.
+/// Recordings hold such states.
+const EARLIER: u32 = 0x3153_4c46;
 
 /// Words written and read in order.
 struct Words {
@@ -39,7 +44,7 @@ impl Board {
     pub(crate) fn save(&self) -> [u8; STATE_BYTES] {
         let mut out = Words { bytes: [0; STATE_BYTES], at: 0 };
         out.put(MAGIC);
-        let f = &self.fbi;
+        let f = &self.lasting_registers();
         [
             f.fbz_color_path,
             f.fog_mode,
@@ -69,7 +74,7 @@ impl Board {
             let own = s.units[unit];
             [tmu.texture_mode, tmu.t_lod, tmu.t_detail].into_iter().for_each(|w| out.put(w));
             tmu.base.into_iter().for_each(|word| out.put(word));
-            let lods = own.small_lod << 8 | own.large_lod;
+            let lods = own.even_odd << 16 | own.small_lod << 8 | own.large_lod;
             [own.mip_map_mode as u32, lods].into_iter().for_each(|w| out.put(w));
         }
         for unit in 0..self.tmus.len() {
@@ -84,7 +89,8 @@ impl Board {
     pub(crate) fn restore(&mut self, bytes: &[u8]) -> bool {
         let Ok(bytes) = <[u8; STATE_BYTES]>::try_from(bytes) else { return false };
         let mut from = Words { bytes, at: 0 };
-        if from.take() != MAGIC {
+        let magic = from.take();
+        if !matches!(magic, MAGIC | EARLIER) {
             return false;
         }
         self.fbi = FbiRegisters {
@@ -127,10 +133,20 @@ impl Board {
             };
             let (mip_map_mode, lods) = (from.take() as i32, from.take());
             let (small_lod, large_lod) = ((lods >> 8 & 0xff).min(8), (lods & 0xff).min(8));
-            self.settings.units[unit] = UnitSettings { mip_map_mode, small_lod, large_lod };
+            let even_odd = match (magic, tmu.t_lod & (t_lod::SPLIT | t_lod::ODD)) {
+                (MAGIC, _) => lods >> 16 & LEVELS_BOTH,
+                (_, t_lod::SPLIT) => LEVELS_EVEN,
+                (_, bits) if bits & t_lod::SPLIT != 0 => LEVELS_ODD,
+                _ => LEVELS_BOTH,
+            };
+            self.settings.units[unit] =
+                UnitSettings { mip_map_mode, small_lod, large_lod, even_odd };
         }
         for unit in 0..self.tmus.len() {
             self.mip_maps.set_current(unit, from.take().checked_sub(1));
+        }
+        if let Some(lock) = &mut self.lfb.write {
+            lock.keep(&self.fbi);
         }
         self.dirty = true;
         true

@@ -31,16 +31,20 @@ impl TextureInfo {
     }
 }
 
-/// The bits of tLOD that say a texture's shape and which levels it has.
-pub(crate) fn shape_bits(aspect: i32, even_odd: u32) -> u32 {
-    let (aspect, wide) = layout::aspect_bits(aspect);
-    let split = match even_odd {
+/// The bits of tLOD that say which levels a texture has.
+fn split_bits(even_odd: u32) -> u32 {
+    match even_odd {
         LEVELS_EVEN => t_lod::SPLIT,
         LEVELS_ODD => t_lod::SPLIT | t_lod::ODD,
         _ => 0,
-    };
+    }
+}
+
+/// The bits of tLOD that say a texture's shape and which levels it has.
+pub(crate) fn shape_bits(aspect: i32, even_odd: u32) -> u32 {
+    let (aspect, wide) = layout::aspect_bits(aspect);
     let wide = if wide { t_lod::S_IS_WIDER } else { 0 };
-    split | wide | aspect << t_lod::ASPECT
+    split_bits(even_odd) | wide | aspect << t_lod::ASPECT
 }
 
 /// A level bias as six bits of quarters, truncated toward zero after adding an
@@ -74,6 +78,7 @@ impl Board {
         let (small, large) = (info.small_lod as u32, info.large_lod as u32);
         let settings = &mut self.settings.units[unit];
         (settings.small_lod, settings.large_lod) = (small, large);
+        settings.even_odd = even_odd;
         let tmu = &mut self.tmus[unit];
         let format = (info.format as u32) << texture_mode::FORMAT;
         tmu.texture_mode = replace(tmu.texture_mode, 15 << texture_mode::FORMAT, format)
@@ -144,7 +149,28 @@ impl Board {
         self.mode(unit, texture_mode::LOD_DITHER, dither);
         self.mode(unit, texture_mode::TRILINEAR, blend);
         self.update_lod_range(unit);
+        self.update_parity(unit);
         true
+    }
+
+    /// Writes which levels a unit samples: those that its texture was sourced
+    /// with. The second of two passes over a whole texture, which the factor
+    /// tells, takes the odd ones.
+    ///
+    /// Source: G246, `grTexCombine` and `grTexMipMapMode`, which test for any of
+    /// these bits.
+    fn update_parity(&mut self, unit: usize) {
+        const BLENDS: u32 = unit::SUB_LOCAL | unit::ADD_LOCAL | 5 << unit::SELECT_SHIFT;
+        let own = split_bits(self.settings.units[unit].even_odd);
+        let tmu = &mut self.tmus[unit];
+        let color = tmu.texture_mode >> texture_mode::COLOR_UNIT;
+        let second = tmu.texture_mode & texture_mode::TRILINEAR != 0
+            && color & unit::ZERO_OTHER != 0
+            && color & BLENDS != 0
+            && color & unit::REVERSE_BLEND == 0;
+        let parity = own | if second { t_lod::ODD } else { 0 };
+        tmu.t_lod = replace(tmu.t_lod, t_lod::SPLIT | t_lod::ODD, parity);
+        self.dirty = true;
     }
 
     pub(crate) fn set_lod_bias(&mut self, unit: usize, bias: f32) {
@@ -174,17 +200,7 @@ impl Board {
         let bits = color << texture_mode::COLOR_UNIT | alpha << texture_mode::ALPHA_UNIT;
         let mask = unit::ALL << texture_mode::COLOR_UNIT | unit::ALL << texture_mode::ALPHA_UNIT;
         tmu.texture_mode = replace(tmu.texture_mode, mask, bits);
-        // Two-pass trilinear filtering: the pass that scales the texel by the
-        // level fraction itself inverts at the other levels.
-        let select = color >> unit::SELECT_SHIFT & 7;
-        if tmu.texture_mode & texture_mode::TRILINEAR != 0
-            && color & unit::ZERO_OTHER != 0
-            && select == 5
-            && color & unit::REVERSE_BLEND == 0
-        {
-            tmu.t_lod |= t_lod::ODD;
-        }
-        self.dirty = true;
+        self.update_parity(index);
         true
     }
 

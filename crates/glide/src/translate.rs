@@ -132,6 +132,14 @@ fn texture_factor(bits: u32) -> TextureFactor {
     }
 }
 
+/// The same where the fraction of the level counts as 0.
+fn factor_without_fraction(bits: u32) -> TextureFactor {
+    match texture_factor(bits) {
+        TextureFactor::LodFraction => TextureFactor::Zero,
+        other => other,
+    }
+}
+
 /// Decodes the nine bits of a combine unit.
 fn combine_unit<F>(bits: u32, factor: fn(u32) -> F) -> CombineUnit<F> {
     CombineUnit {
@@ -231,11 +239,27 @@ fn chain(units: &[TmuRegisters]) -> [Option<TextureUnit>; MAX_TMUS] {
 /// Level of detail of the smallest map a board has, one texel, 8 fraction bits.
 const SMALLEST_LEVEL: u32 = 0x800;
 
+/// Whether a unit that has all levels samples the even or the odd ones, as
+/// filtering between levels in two passes needs it.
+///
+/// Source: G246, `grTexCombine`: for such a pass over a whole texture the library
+/// sets the odd bit alone, and later releases did for two units at once.
+pub(crate) fn has_parity(registers: &TmuRegisters) -> bool {
+    let limits = [registers.t_lod & 63, registers.t_lod >> 6 & 63];
+    registers.texture_mode & texture_mode::TRILINEAR != 0 && limits[0] != limits[1]
+}
+
 fn texture_unit(registers: &TmuRegisters) -> TextureUnit {
     let (mode, lod) = (registers.texture_mode, registers.t_lod);
     let on = |bit: u32| mode & bit != 0;
     let filter = |bit: u32| if on(bit) { Filter::Bilinear } else { Filter::Point };
     let signed6 = |bits: u32| ((bits << 2) as u8 as i8) >> 2;
+    let factor = match lod & t_lod::ZERO_FRACTION {
+        0 => texture_factor,
+        _ => factor_without_fraction,
+    };
+    // Blended levels take turns even where a unit has all of them.
+    let chooses = lod & t_lod::SPLIT != 0 || has_parity(registers);
     TextureUnit {
         perspective: on(texture_mode::PERSPECTIVE),
         clamp_negative_w: on(texture_mode::CLAMP_W),
@@ -249,14 +273,14 @@ fn texture_unit(registers: &TmuRegisters) -> TextureUnit {
             bias: i16::from(signed6(lod >> 12 & 63)) << 6,
         },
         lod_dither: on(texture_mode::LOD_DITHER),
-        odd_levels: (lod & t_lod::SPLIT != 0).then_some(lod & t_lod::ODD != 0),
+        odd_levels: chooses.then_some(lod & t_lod::ODD != 0),
         trilinear: on(texture_mode::TRILINEAR),
         detail_max: registers.t_detail as u8,
         detail_bias: signed6(registers.t_detail >> 8 & 63),
         detail_scale: (registers.t_detail >> 14 & 7) as u8,
         combine: TextureCombine {
-            color: combine_unit(mode >> texture_mode::COLOR_UNIT, texture_factor),
-            alpha: combine_unit(mode >> texture_mode::ALPHA_UNIT, texture_factor),
+            color: combine_unit(mode >> texture_mode::COLOR_UNIT, factor),
+            alpha: combine_unit(mode >> texture_mode::ALPHA_UNIT, factor),
         },
         ..TextureUnit::default()
     }
@@ -286,6 +310,15 @@ mod tests {
         for preset in 3..=9 {
             assert_eq!(uses(preset), (true, true), "{preset}");
         }
+    }
+
+    #[test]
+    fn a_fraction_of_zero_is_the_factor_zero() {
+        let trilinear = unit(9);
+        let zero = TmuRegisters { t_lod: t_lod::ZERO_FRACTION, ..trilinear };
+        let factor = |registers| texture_unit(registers).combine.color.factor;
+        assert_eq!(factor(&trilinear), TextureFactor::LodFraction);
+        assert_eq!(factor(&zero), TextureFactor::Zero);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::io::{self, BufWriter, Read, Write};
 
 use crate::call::Call;
 use crate::client::Client;
-use crate::device::{Config, Device};
+use crate::device::{Config, Device, MAX_SIZE};
 use crate::error::StreamError;
 use crate::host::{Host, HostError};
 use crate::protocol::{RECORD_BYTES, Record};
@@ -53,6 +53,9 @@ enum Transport {
         ended: bool,
     },
 }
+
+/// Words one call can ask for: all pixels of the largest screen.
+const MAX_ANSWERS: u32 = MAX_SIZE * MAX_SIZE;
 
 /// Reports kept; later ones are dropped.
 const MAX_REPORTS: usize = 256;
@@ -105,7 +108,7 @@ impl Context {
         self.primitives += u64::from(matches!(call, Call::BeginPrim {}) && self.in_scene());
         self.client.call(call);
         self.send();
-        let wanted = answers.min(crate::host::MAX_READ);
+        let wanted = answers.min(MAX_ANSWERS);
         (0..wanted).map(|_| self.word().unwrap_or(0)).collect()
     }
 

@@ -357,6 +357,11 @@ impl<O: Observer> Device<O> {
         self.replies.pop()
     }
 
+    /// Drops the reply words that are waiting.
+    pub fn drop_replies(&mut self) {
+        self.replies = Replies::default();
+    }
+
     /// The faults found since the last call, oldest first; at most 256 are kept.
     pub fn take_faults(&mut self) -> Vec<StreamError> {
         std::mem::take(&mut self.faults)

@@ -41,7 +41,7 @@ pub enum StreamError {
     },
     /// The stream ends inside a command. What came of a block has been written; anything else of the
     /// command is dropped.
-    #[error("word {offset}: the stream ends inside {command}, {missing} words before its end")]
+    #[error("word {offset}: the stream ends inside {command}, words missing: {missing}")]
     Unfinished {
         /// The command that was being read.
         command: &'static str,

@@ -37,6 +37,21 @@ pub enum HostError {
         /// Words the device had.
         sent: u32,
     },
+    /// A read of more words than a screen of this size could be asked for. The words that are left
+    /// are dropped, and the run ends.
+    #[error(
+        "record {record}, word {offset}: {wanted} words are awaited; one read passes {most} back"
+    )]
+    TooMany {
+        /// The record, counted from 0.
+        record: u64,
+        /// Words sent to the device so far.
+        offset: u64,
+        /// Words the record asked for.
+        wanted: u32,
+        /// Words that were passed back.
+        most: u32,
+    },
     /// After `read` comes no count.
     #[error("record {record}, word {offset}: `read` is not followed by a count")]
     NoCount {
@@ -46,14 +61,14 @@ pub enum HostError {
         offset: u64,
     },
     /// Text where a record is expected.
-    #[error("record {record}, word {offset}: {source}")]
+    #[error("record {record}, word {offset}: {what}")]
     Malformed {
         /// The record, counted from 0.
         record: u64,
         /// Words sent to the device so far.
         offset: u64,
         /// What stands there.
-        source: MalformedRecord,
+        what: MalformedRecord,
     },
 }
 
@@ -71,9 +86,12 @@ pub struct Host<O = ()> {
 
 /// Lines kept in the log; later ones are dropped.
 const MAX_LOG: usize = 4096;
-/// The most words one `read` passes back, so that a wrong count cannot fill the memory: the pixels
-/// of the largest screen.
-pub const MAX_READ: u32 = MAX_SIZE * MAX_SIZE;
+/// The most words one `read` passes back from a device of so many pixels, so that a wrong count
+/// neither fills the memory nor takes for ever: both pages and the depths, and some to spare.
+pub fn most_read(screen: u64) -> u32 {
+    const { assert!(4 * MAX_SIZE as u64 * (MAX_SIZE as u64) < 1 << 31) };
+    (4 * screen) as u32 + (1 << 16)
+}
 
 impl<O: Observer> Host<O> {
     /// Connects to a booted device: takes its ready word.
@@ -156,8 +174,8 @@ impl<O: Observer> Host<O> {
             (Expect::Any, Record::Read) => self.expect = Expect::Count,
             (Expect::Any, Record::Debug) => self.expect = Expect::Text,
             (Expect::Any, Record::Text(bytes)) => {
-                let source = MalformedRecord { bytes };
-                return Err(HostError::Malformed { record: at.0, offset: at.1, source });
+                let what = MalformedRecord { bytes };
+                return Err(HostError::Malformed { record: at.0, offset: at.1, what });
             }
             (Expect::Any, meta) => self.meta(meta),
         }
@@ -169,16 +187,22 @@ impl<O: Observer> Host<O> {
         if record == Record::Report
             && let Some(report) = self.device.observer_mut().report()
         {
-            self.log(report);
+            self.log(report.trim_end().to_owned());
         }
     }
 
     fn read(&mut self, count: u32) -> Result<(), HostError> {
         let mut sent = 0;
-        while sent < count.min(MAX_READ) {
+        let most = most_read(self.device.core().screen());
+        while sent < count.min(most) {
             let Some(word) = self.device.pop_reply() else { break };
             self.words.push_back(word);
             sent += 1;
+        }
+        if sent < count && sent == most {
+            self.device.drop_replies();
+            let (record, offset) = (self.records, self.device.words());
+            return Err(HostError::TooMany { record, offset, wanted: count, most });
         }
         if sent < count { Err(self.starved(count, sent)) } else { Ok(()) }
     }
@@ -229,6 +253,21 @@ mod tests {
         assert_eq!(host.push(Record::Read), Ok(()));
         assert!(host.push(Record::Data(u32::MAX)).is_err());
         assert!(host.push(Record::Text(*b"nonsense!!\n")).is_err());
+    }
+
+    #[test]
+    fn a_read_of_everything_ends() {
+        let mut host = host();
+        for word in [Opcode::ReadZBlock as u32, 0, 0, u32::MAX] {
+            host.push(Record::Data(word)).expect("a command");
+        }
+        host.push(Record::Read).expect("a record");
+        let most = most_read(64);
+        let too_many = HostError::TooMany { record: 5, offset: 4, wanted: u32::MAX, most };
+        assert_eq!(host.push(Record::Data(u32::MAX)), Err(too_many));
+        assert_eq!(std::iter::from_fn(|| host.pop()).count(), most as usize);
+        // Nothing is left for the next question.
+        assert!(host.push(Record::Wait).is_err());
     }
 
     #[test]

@@ -32,14 +32,14 @@ pub enum Repair {
 #[non_exhaustive]
 pub enum RecordError {
     /// Bytes that are no record.
-    #[error("record {record} at byte {byte}: {source}")]
+    #[error("record {record} at byte {byte}: {what}")]
     Malformed {
         /// The record, counted from 0.
         record: u64,
         /// Its first byte in the stream.
         byte: u64,
         /// What stands there.
-        source: MalformedRecord,
+        what: MalformedRecord,
     },
     /// The stream ends inside a record.
     #[error("record {record} at byte {byte}: the stream ends after {bytes} of 11 bytes")]
@@ -96,7 +96,7 @@ impl<R: Read> RecordReader<R> {
                 self.text_follows = parsed == Record::Debug;
                 Ok(Some(parsed))
             }
-            Err(source) => Err(RecordError::Malformed { record, byte, source }),
+            Err(what) => Err(RecordError::Malformed { record, byte, what }),
         }
     }
 
@@ -137,8 +137,8 @@ impl<R: Read> Iterator for RecordReader<R> {
         }
         let result = self.read_record();
         let skipped = match &result {
-            Err(RecordError::Malformed { source, .. }) if self.repair == Repair::NextLine => {
-                self.skip_line(&source.bytes).is_ok()
+            Err(RecordError::Malformed { what, .. }) if self.repair == Repair::NextLine => {
+                self.skip_line(&what.bytes).is_ok()
             }
             Ok(Some(_)) => true,
             _ => false,
@@ -271,7 +271,10 @@ fn serve_here<O: Observer, W: Write>(
             Ok(record) => host.push(record).map_err(ServeError::from),
             Err(error) => Err(error.into()),
         };
-        let fatal = matches!(result, Err(ServeError::Host(HostError::Starved { .. })));
+        let fatal = matches!(
+            result,
+            Err(ServeError::Host(HostError::Starved { .. } | HostError::TooMany { .. }))
+        );
         keep(&mut errors, result);
         host.take_log().iter().for_each(|line| log(line));
         let passed = pass_words(output, std::iter::from_fn(|| host.pop()));

@@ -37,10 +37,12 @@ pub enum Attribute {
     S,
     /// Packed specular colour with fog, 0xFFRRGGBB.
     Sf,
+    /// Fog in bits 31..24, nothing else.
+    Fp,
 }
 
 /// How many kinds of attributes there are.
-pub const ATTRIBUTES: usize = 16;
+pub const ATTRIBUTES: usize = 17;
 
 /// The words of a vertex type.
 #[derive(Clone, Copy, Debug)]
@@ -164,8 +166,8 @@ pub(crate) static KXYZUVQ: Layout = {
 };
 /// Layout of the fast triangles with fog (bits 31..24 of its word).
 pub(crate) static KFXYZUVQ: Layout = {
-    use Attribute::{K, Q, Sf, U, V, X, Y, Z};
-    Layout::new(&[K, Sf, X, Y, Z, U, V, Q])
+    use Attribute::{Fp, K, Q, U, V, X, Y, Z};
+    Layout::new(&[K, Fp, X, Y, Z, U, V, Q])
 };
 /// Layout of the fast triangles of k, s, x, y, z.
 pub(crate) static KSXYZ: Layout = {

@@ -306,6 +306,15 @@ fn known_call(kind: u8, from: &mut Bytes<'_>) -> Option<Call> {
         },
         // Triangles are what all the state is for.
         91..=111 => Call::GrDrawTriangle { a: from.vertex(), b: from.vertex(), c: from.vertex() },
+        112 => Call::GrSstOpen {
+            resolution: from.int(),
+            refresh: from.int(),
+            color_format: from.int(),
+            origin: from.int(),
+            smoothing: from.int(),
+            buffers: from.int(),
+        },
+        113 => Call::GrLfbStored { changes: from.data() },
         _ => return None,
     })
 }

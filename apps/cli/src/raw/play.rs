@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context as _, Result};
 use clap::Args;
-use fillrate_raw::serve::{self, RecordReader};
+use fillrate_raw::serve::{self, Build, RecordReader};
 use serde_json::json;
 
 use super::machine::{MachineArgs, page};
@@ -54,7 +54,12 @@ pub fn play(args: &PlayArgs) -> Result<Outcome> {
             })
         );
     } else {
-        println!("{}displayed page {hash:016x}", served.counters.report());
+        // The fast path counts nothing.
+        let report = match build {
+            Build::Fast(_) => String::new(),
+            _ => served.counters.report(),
+        };
+        println!("{report}displayed page {hash:016x}");
     }
     args.machine.finish(&served)
 }

@@ -101,7 +101,8 @@ fn programs_conform() {
     assert!(problems.is_empty(), "{}", problems.join("\n"));
 }
 
-/// The last frame of each example is the kept one. Preflighting loads no texture
+/// The last frame of each example is the kept one, and its recording replays to
+/// the same frames. Preflighting loads no texture
 /// twice in a frame, and fewer than drawing as objects come.
 #[test]
 fn examples_draw_what_they_drew() {
@@ -110,6 +111,7 @@ fn examples_draw_what_they_drew() {
     for file in examples("examples/rave") {
         let name = name_of(&file);
         let (output, frame) = draw(program(&file, folder.path()), folder.path());
+        run(fillrate().arg("replay").arg(folder.path().join("trace")));
         problems.extend(check(&format!("example_{name}"), &frame).err());
         if name == "world" {
             let text = String::from_utf8_lossy(&output.stdout).into_owned();

@@ -38,7 +38,7 @@ impl Board {
     fn launch_rows(&mut self, ramp: &mut Ramp, rows: &[Row]) {
         for (corners, [a0, dx, dy], negative) in rows {
             (ramp.start[ALPHA], ramp.dx[ALPHA], ramp.dy[ALPHA]) = (*a0, *dx, *dy);
-            self.launch(&ramp.registers(*corners, *negative));
+            self.launch_helper(&ramp.registers(*corners, *negative));
         }
     }
 
@@ -127,7 +127,10 @@ impl Board {
                 self.launch(&registers);
                 true
             }
-            Outcome::Empty | Outcome::Culled => false,
+            Outcome::Empty | Outcome::Culled => {
+                self.correction.submitted += 1;
+                false
+            }
         }
     }
 
@@ -152,7 +155,7 @@ impl Board {
             for (own, plane) in registers.tmu.iter_mut().flatten().zip(plane.tmu.iter().flatten()) {
                 (own.dx, own.dy) = (plane.dx, plane.dy);
             }
-            self.launch(&registers);
+            self.launch_helper(&registers);
         }
     }
 }

@@ -36,12 +36,12 @@ impl Board {
             signs = [true, false];
         }
         let launched = ramp.registers(first, signs[0]);
-        self.launch(&launched);
+        self.launch_helper(&launched);
         // The steps are the same; converting them costs more than the rest.
         let mut again = after_launch(&launched);
         again.x = second.map(|(x, _)| fixed::coord(x));
         again.y = second.map(|(_, y)| fixed::coord(y));
         again.negative = signs[1];
-        self.launch(&again);
+        self.launch_helper(&again);
     }
 }

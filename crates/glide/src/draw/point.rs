@@ -18,10 +18,10 @@ impl Board {
         if self.improve.scale > 1 {
             // All pixels of the pixel: two triangles.
             let [a, b, c, d] = [(x, y), (x + 1.0, y), (x + 1.0, y + 1.0), (x, y + 1.0)];
-            self.launch(&ramp.registers([a, b, c], false));
-            return self.launch(&ramp.registers([a, d, c], true));
+            self.launch_helper(&ramp.registers([a, b, c], false));
+            return self.launch_helper(&ramp.registers([a, d, c], true));
         }
         let corners = [(x + 0.5, y + 0.5), (x + 1.0, y + 0.5), (x + 1.0, y + 1.0)];
-        self.launch(&ramp.registers(corners, false));
+        self.launch_helper(&ramp.registers(corners, false));
     }
 }

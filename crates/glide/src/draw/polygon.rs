@@ -29,8 +29,11 @@ impl Board {
             let fan = [first, &pair[0], &pair[1]];
             let Some(plane) = &plane else {
                 match triangle(fan, self.cull(), MAX_TMUS) {
-                    Outcome::Culled => return,
-                    Outcome::Empty => {}
+                    Outcome::Culled => {
+                        self.correction.submitted += 1;
+                        return;
+                    }
+                    Outcome::Empty => self.correction.submitted += 1,
                     Outcome::Drawn(registers) => {
                         self.launch(&registers);
                         plane = Some(registers);
@@ -38,8 +41,9 @@ impl Board {
                 }
                 continue;
             };
-            if let Outcome::Drawn(own) = triangle(fan, Cull::Disabled, MAX_TMUS) {
-                self.launch(&with_gradients(own, plane));
+            match triangle(fan, Cull::Disabled, MAX_TMUS) {
+                Outcome::Drawn(own) => self.launch(&with_gradients(own, plane)),
+                Outcome::Empty | Outcome::Culled => self.correction.submitted += 1,
             }
         }
     }

@@ -112,9 +112,9 @@ impl Board {
         self.update();
         let registers = Registers { negative: command >> 31 != 0, ..self.set_up };
         if self.fbi.fbz_color_path & color_path::PARAMETER_ADJUST == 0 {
-            return self.launch(&without_adjustment(&registers));
+            return self.launch_helper(&without_adjustment(&registers));
         }
-        self.launch(&registers);
+        self.launch_helper(&registers);
         self.set_up = after_launch(&registers);
     }
 }

@@ -50,6 +50,12 @@ impl Board {
         }
     }
 
+    /// Draws a part of a point, a line or a smooth edge.
+    pub(crate) fn launch_helper(&mut self, registers: &Registers) {
+        self.helpers[0] += 1;
+        self.launch(registers);
+    }
+
     /// Draws a triangle as [`Board::launch`] does: pieces need it set up.
     pub(crate) fn draw_triangle_stippled(&mut self, corners: [&Vertex; 3], cull: Cull) {
         match triangle(corners, cull, MAX_TMUS) {

@@ -79,6 +79,15 @@ impl Board {
         }
     }
 
+    /// A third pass adds the fog colour, which must not be multiplied.
+    fn add_fog(&mut self, mode: u32) {
+        self.blend_second_pass([BLEND_ONE; 4]);
+        self.fbi.fog_mode = mode | fog::MULT;
+        let path = unit::ALL << color_path::COLOR_UNIT | 3 | 1 << 4;
+        self.fbi.fbz_color_path &= !(path | color_path::TEXTURE_ENABLE);
+        self.dirty = true;
+    }
+
     /// Both passes. The registers come back; the units keep the second source.
     fn draw_passes(
         &mut self,
@@ -107,6 +116,10 @@ impl Board {
         }
         self.dirty = true;
         self.draw_triangle(corners);
+        if setting.function == MULTIPLY && kept.fog_mode & fog::ENABLE != 0 {
+            self.add_fog(kept.fog_mode);
+            self.draw_triangle(corners);
+        }
         self.fbi = kept;
         let own = texture_mode::COLOR_UNIT_MASK | texture_mode::ALPHA_UNIT_MASK;
         self.tmus[0].texture_mode = replace(self.tmus[0].texture_mode, own, combine);

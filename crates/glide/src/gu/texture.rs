@@ -168,6 +168,12 @@ impl MipMaps {
         self.units.get(unit)?.current
     }
 
+    /// Whether its unit sourced a mip map last.
+    pub fn is_current(&self, id: u32) -> bool {
+        let unit = self.get(id).and_then(|mip_map| usize::try_from(mip_map.tmu).ok());
+        unit.is_some_and(|unit| self.current(unit) == Some(id))
+    }
+
     /// As [`MipMaps::current`] after a saved state comes back; handles given
     /// up since then are dropped.
     pub fn set_current(&mut self, unit: usize, id: Option<u32>) {
@@ -268,6 +274,7 @@ impl Board {
             mip_map_mode: mip_map.mip_map_mode,
             small_lod: mip_map.info.small_lod as u32,
             large_lod: mip_map.info.large_lod as u32,
+            even_odd: mip_map.even_odd,
         };
         use texture_mode as bit;
         let own = bit::COLOR_UNIT_MASK | bit::ALPHA_UNIT_MASK;

@@ -30,7 +30,7 @@ use self::memory::Memory;
 use self::pixel::{in_mode, key_pixel, noise, pixel_bytes};
 use crate::board::Board;
 use crate::enums::*;
-use crate::registers::{fbz, lfb_mode, replace};
+use crate::registers::{FbiRegisters, fbz, lfb_mode, replace};
 
 /// One lock.
 #[derive(Clone, Copy, Debug)]
@@ -116,6 +116,11 @@ impl Lfb {
 }
 
 impl Lock {
+    /// Takes over registers that are to be in force after the lock.
+    pub fn keep(&mut self, fbi: &FbiRegisters) {
+        self.saved = (fbi.za_color, fbi.fbz_mode);
+    }
+
     fn is_wide(&self) -> bool {
         pixel_bytes(self.mode) == Some(4)
     }
@@ -235,9 +240,8 @@ impl Board {
             LFB_READ_ONLY if held => self.lfb.read = None,
             LFB_WRITE_ONLY if held => {
                 let stored = self.commit(self.screen());
-                let Some(lock) = self.lfb.write.take() else { return false };
-                self.fbi.za_color = lock.saved.0;
-                self.fbi.fbz_mode = replace(self.fbi.fbz_mode, fbz::DEPTH_BIAS, lock.saved.1);
+                self.fbi = self.lasting_registers();
+                self.lfb.write = None;
                 self.dirty = true;
                 self.show_all(stored);
             }
@@ -272,11 +276,33 @@ impl Board {
         Some(&mut self.lfb.memories[memory].words)
     }
 
+    /// The registers without what a write lock changes for its time: constants in
+    /// zaColor, and no depth bias.
+    pub(crate) fn lasting_registers(&self) -> FbiRegisters {
+        let (za_color, mode) =
+            self.lfb.write.map_or((self.fbi.za_color, self.fbi.fbz_mode), |lock| lock.saved);
+        let fbz_mode = replace(self.fbi.fbz_mode, fbz::DEPTH_BIAS, mode);
+        FbiRegisters { za_color, fbz_mode, ..self.fbi }
+    }
+
+    /// The colour format of stores: a register of its own, ARGB until it is set.
+    ///
+    /// Source: G246, `grSstWinOpen`, whatever format that is given.
+    pub(super) fn lfb_format(&self) -> i32 {
+        (self.fbi.lfb_mode >> lfb_mode::LANES & 3) as i32
+    }
+
+    /// Sets it.
+    pub(crate) fn set_lfb_format(&mut self, format: i32) {
+        let lanes = (format as u32) << lfb_mode::LANES;
+        self.fbi.lfb_mode = replace(self.fbi.lfb_mode, lfb_mode::LANES_MASK, lanes);
+    }
+
     /// What the memory of a lock holds, as things are.
     fn showing(&self, lock: &Lock) -> Showing {
         let fbi = &self.fbi;
         let alpha_planes = fbi.fbz_mode & fbz::ALPHA_PLANES != 0;
-        let format = self.settings.color_format;
+        let format = self.lfb_format();
         // One bit of alpha is eight in the aux buffer.
         let coarse_alpha = alpha_planes && matches!(lock.mode, 2 | 0xe);
         if self.swizzle_bits() != 0 || coarse_alpha {

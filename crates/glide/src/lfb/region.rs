@@ -69,7 +69,7 @@ impl Board {
         (x, y): (u32, u32),
         (width, height): (u32, u32),
     ) -> Option<Vec<u16>> {
-        let surface = self.surface_of(buffer).filter(|_| !self.card.interleaved)?;
+        let surface = self.surface_of(buffer)?;
         self.commit_stores();
         let (width, height) = (width.min(ROW_PIXELS as u32), height.min(ROW_PIXELS as u32));
         let mut pixels = vec![0; (width * height) as usize];
@@ -127,7 +127,7 @@ impl Board {
     ) -> Option<Vec<u16>> {
         let held = self.lfb.read.filter(|lock| lock.buffer == buffer);
         let origin = held.map_or(self.lfb.old.origin, |lock| lock.origin);
-        let surface = self.surface_of(buffer).filter(|_| !self.card.interleaved)?;
+        let surface = self.surface_of(buffer)?;
         self.commit_stores();
         let screen = self.screen();
         let limit = |length: i32| length.clamp(0, ROW_PIXELS as i32) as usize;

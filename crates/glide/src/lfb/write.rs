@@ -263,7 +263,7 @@ impl Board {
         let constant = self.fbi.color1 & 0xff_ffff;
         let mut colors = Vec::with_capacity(values.len());
         let mut depths = Vec::with_capacity(values.len());
-        each(mode, self.settings.color_format, values, |p| {
+        each(mode, self.lfb_format(), values, |p| {
             let rgb = p.color.unwrap_or(constant);
             colors.push(u32::from(p.alpha.unwrap_or(alpha)) << 24 | rgb);
             depths.push(p.depth.unwrap_or(depth));
@@ -297,7 +297,7 @@ impl Board {
         let row: [&Reduced; 4] = core::array::from_fn(|x| &tables[place(dither, x as u32, y)]);
         let (mut colors, mut aux) = (Vec::with_capacity(values.len()), Vec::new());
         let mut column = x as usize;
-        each(mode, self.settings.color_format, values, |p| {
+        each(mode, self.lfb_format(), values, |p| {
             if let Some(rgb) = p.color {
                 let [_, r, g, b] = rgb.to_be_bytes().map(usize::from);
                 let Reduced { five, six } = row[column & 3];

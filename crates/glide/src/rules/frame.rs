@@ -48,6 +48,25 @@ rules! { at;
     "grSstWinOpen": GrSstWinOpen (resolution, colors, aux) "res" "does not fit the frame buffer with so many buffers" fatal
         if (2..=3).contains(colors) && (0..=1).contains(aux) && usize::try_from(*resolution)
             .is_ok_and(|r| r < RESOLUTIONS.len() && !at.card.holds(r, (colors + aux) as u32));
+    "grSstOpen": GrSstOpen () "" "the library was not started" fatal
+        if !at.started;
+    "grSstOpen": GrSstOpen () "" "the board is open already" fatal
+        if at.open().is_some() && !at.variables.ignore_reopen;
+    "grSstOpen": GrSstOpen (resolution) "screen_resolution" "is not a resolution that a board can show" fatal
+        if !(0..RESOLUTIONS.len() as i32).contains(resolution);
+    "grSstOpen": GrSstOpen (refresh) "refresh_rate" "is not one of GR_REFRESH_*" fatal
+        if !matches!(refresh, 0..=8 | 0xff);
+    "grSstOpen": GrSstOpen (color_format) "color_format" "is not one of GR_COLORFORMAT_*" fatal
+        if !(0..=3).contains(color_format);
+    "grSstOpen": GrSstOpen (origin) "origin_location" "is not one of GR_ORIGIN_*" fatal
+        if !(0..=1).contains(origin);
+    "grSstOpen": GrSstOpen (smoothing) "smoothing_filter" "is not one of GR_SMOOTHING_*" fatal
+        if !(0..=1).contains(smoothing);
+    "grSstOpen": GrSstOpen (buffers) "num_buffers" "is neither 2 nor 3" fatal
+        if !(2..=3).contains(buffers);
+    "grSstOpen": GrSstOpen (resolution, buffers) "screen_resolution" "does not fit the frame buffer with so many buffers" fatal
+        if (2..=3).contains(buffers) && usize::try_from(*resolution)
+            .is_ok_and(|r| r < RESOLUTIONS.len() && !at.card.holds(r, *buffers as u32));
     "grSstOrigin": GrSstOrigin (origin) "origin" "is not one of GR_ORIGIN_*" fatal
         if !(0..=1).contains(origin);
     "grSstConfigPipeline": GrSstConfigPipeline (chip) "chip" "is not one of the board's chips" fatal

@@ -1,8 +1,8 @@
 //! Checking mode: every misuse that the documents name, as a table.
 //!
 //! A rule looks at a call before it is carried out. What only the C border
-//! sees (null pointers), and what holds for every call (a board is open), is
-//! in [`GENERAL`].
+//! sees (null pointers, the size of a description), and what holds for every
+//! call (a board is open), is in [`GENERAL`].
 //!
 //! Source: G22, error handling and the text of each function; G246, the
 //! conditions of the debugging library.
@@ -36,10 +36,24 @@ pub struct Rule {
     broken: fn(&Call, &Situation<'_>) -> bool,
 }
 
-/// Rules for every function: argument and text.
-pub const GENERAL: [(&str, &str); 2] = [NOT_OPEN, NULL_POINTER];
+/// Rules that do not look at calls: argument and text.
+pub const GENERAL: [(&str, &str); 3] = [NOT_OPEN, NULL_POINTER, INFO_SIZE];
 pub(crate) const NOT_OPEN: (&str, &str) = ("", "no board is open");
 pub(crate) const NULL_POINTER: (&str, &str) = ("a pointer", "is null");
+pub(crate) const INFO_SIZE: (&str, &str) = ("info->size", "is not that of GrLfbInfo_t");
+
+/// Functions that are another function's call with other arguments, and that
+/// function, whose rules they share. What is told has their own name.
+pub const SHARED: [(&str, &str); 8] = [
+    ("grDrawPolygonVertexList", "grDrawPolygon"),
+    ("grDrawPlanarPolygonVertexList", "grDrawPlanarPolygon"),
+    ("grAADrawPolygonVertexList", "grAADrawPolygon"),
+    ("grTexDownloadMipMapLevel", "grTexDownloadMipMapLevelPartial"),
+    ("grTexDownloadTablePartial", "grTexDownloadTable"),
+    ("guTexCombineFunction", "grTexCombineFunction"),
+    ("grLfbGetReadPtr", "grLfbLock"),
+    ("grLfbGetWritePtr", "grLfbLock"),
+];
 
 /// All rules that look at calls.
 pub fn all() -> impl Iterator<Item = &'static Rule> {

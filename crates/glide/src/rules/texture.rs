@@ -186,6 +186,8 @@ rules! { at;
         if !is_factor(*alpha_factor);
     "grTexCombineFunction": GrTexCombineFunction (function) "fnc" "is not one of GR_TEXTURECOMBINE_*" fatal
         if !(0..=0xa).contains(function);
+    "guTexSource": GuTexSource (id) "mmid" "is the current mip map already" warning
+        if at.open().is_some_and(|board| board.mip_maps.is_current(*id));
     "grTexDetailControl": GrTexDetailControl (lod_bias) "lod_bias" "is outside -32..31" fatal
         if !(-32..=31).contains(lod_bias);
     "grTexDetailControl": GrTexDetailControl (scale) "detail_scale" "is outside 0..7" fatal

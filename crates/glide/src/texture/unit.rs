@@ -9,6 +9,7 @@ use super::layout;
 use crate::enums::{LEVELS_BOTH, LEVELS_EVEN, LEVELS_ODD};
 use crate::enums::{TEXFMT_AP_88, TEXFMT_AYIQ_8422, TEXFMT_P_8, TEXFMT_YIQ_422};
 use crate::registers::{TmuRegisters, t_lod, texture_mode};
+use crate::translate::has_parity;
 
 /// What a decoded texture was made from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -168,8 +169,9 @@ fn source(registers: &TmuRegisters) -> Source {
     };
     let last = (lod >> 6 & 63).div_ceil(4).min(layout::SMALLEST);
     let first = ((lod & 63) / 4).min(last);
-    // The level after the last replaces it where the chain is split.
-    let last = if even_odd == LEVELS_BOTH { last } else { (last + 1).min(layout::SMALLEST) };
+    // The level after the last replaces it where only some are sampled.
+    let chooses = even_odd != LEVELS_BOTH || has_parity(registers);
+    let last = if chooses { (last + 1).min(layout::SMALLEST) } else { last };
     let base = if lod & t_lod::MULTIBASE != 0 { registers.base } else { [registers.base[0]; 4] };
     Source {
         format: (mode >> texture_mode::FORMAT & 15) as i32,

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use super::kernel::TaskId;
 use super::machine::{HostWait, Machine, Word};
 use super::meters;
-use crate::host::{HostError, MAX_READ, text_of};
+use crate::host::{HostError, most_read, text_of};
 use crate::protocol::{MalformedRecord, Record};
 
 /// What the host interface is connected to: where records come from and where words and log lines
@@ -79,15 +79,15 @@ impl Host {
             Record::Halt => return false,
             Record::Text(bytes) => {
                 let (record, offset) = (self.places.0 - 1, self.places.1);
-                let source = MalformedRecord { bytes };
-                self.fault(HostError::Malformed { record, offset, source });
+                let what = MalformedRecord { bytes };
+                self.fault(HostError::Malformed { record, offset, what });
             }
             meta => {
                 self.m.k.catch_up(self.me, &self.clock).await;
                 meters::meta(&self.m, meta);
                 if meta == Record::Report {
                     meters::settle(&self.m);
-                    (self.side.log)(&self.m.counters().report());
+                    (self.side.log)(self.m.counters().report().trim_end());
                 }
             }
         }
@@ -109,12 +109,13 @@ impl Host {
             self.fault(HostError::NoCount { record: record.saturating_sub(1), offset });
             return true;
         };
+        let most = most_read(self.m.core.borrow().screen());
         for sent in 0..count {
-            if sent == MAX_READ {
+            if sent == most {
                 let (record, offset) = self.places;
                 let record = record.saturating_sub(1);
-                self.fault(HostError::Starved { record, offset, wanted: count, sent });
-                break;
+                self.fault(HostError::TooMany { record, offset, wanted: count, most });
+                return false;
             }
             let word = self.word().await;
             if !(self.side.reply)(word) {

@@ -156,6 +156,8 @@ impl Attributes {
         } else if let Some(sf) = layout.get(words, Attribute::Sf) {
             narrow[5..8].copy_from_slice(&packed(sf));
             narrow[8] = byte(sf, 24);
+        } else if let Some(fog) = layout.get(words, Attribute::Fp) {
+            narrow[8] = byte(fog, 24);
         }
         if let Some(f) = layout.get(words, Attribute::F) {
             narrow[8] = channel(f);

@@ -143,3 +143,22 @@ fn antialiased_edges_blend_what_is_outside() {
     let green = i32::from(pixels[10 * 64 + 5] >> 5 & 63);
     assert!((green - 16).abs() <= 1, "a quarter of the pixel is inside: {green}");
 }
+
+/// The fog of a fast triangle is the high byte of its word; the rest of the
+/// word is no second colour.
+#[test]
+fn fast_triangles_take_fog_alone() {
+    for (fog, expected) in [(0xff12_3456u32, 0xf81f), (0x0012_3456, 0x07e0)] {
+        let mut board = board();
+        let commands = &mut board.commands;
+        record::set_specular_enable(commands, 1).unwrap();
+        record::set_fog_enable(commands, 1).unwrap();
+        record::set_fog_color_rgb(commands, 0x0000_ff00).unwrap();
+        let corner = |x: u32, y: u32| [0xff_00ff, fog, x << 16, y << 16, 0, 0, 0, 0x40_0000];
+        let words = [&[50][..], &corner(0, 0), &corner(40, 0), &corner(0, 40)].concat();
+        let out = fillrate_redline::CommandSink::reserve(commands, words.len(), 0).unwrap();
+        out.copy_from_slice(&words);
+        board.issue();
+        assert_eq!(board.pixels(1)[64 * 5 + 5], expected);
+    }
+}

@@ -82,7 +82,7 @@ fn vertex(random: &mut Random, vertex: VertexType) -> Vec<u32> {
         A::U | A::V => random.below(3 << 16).wrapping_sub(1 << 16),
         A::Q => random.below(0xff_fffe) + 1,
         A::R | A::G | A::B | A::A | A::F | A::I => random.below(256 << 16),
-        A::K | A::Ka | A::S | A::Sf => random.word(),
+        A::K | A::Ka | A::S | A::Sf | A::Fp => random.word(),
     };
     vertex.attributes().iter().map(word).collect()
 }
