@@ -108,11 +108,21 @@ impl TextureMemory {
         }
         let (texture, ranges) = self.build(&source);
         let texture = Arc::new(texture);
-        if self.cache.len() >= CACHE_LIMIT {
-            self.cache.pop();
-        }
+        self.make_room(texels(&source, &ranges));
         self.cache.push(Cached { source, ranges, texture: texture.clone() });
         texture
+    }
+
+    /// Drops decoded textures until there is room for so many more texels: twice
+    /// what the memory can hold is kept, since one place can be read in several
+    /// ways.
+    fn make_room(&mut self, wanted: usize) {
+        let kept = |cached: &Cached| texels(&cached.source, &cached.ranges);
+        let mut all: usize = self.cache.iter().map(kept).sum();
+        while self.cache.len() >= CACHE_LIMIT || all + wanted > 2 * self.bytes.len() {
+            let Some(dropped) = self.cache.pop() else { break };
+            all -= kept(&dropped);
+        }
     }
 
     fn build(&self, source: &Source) -> (Texture, Vec<(u32, u32)>) {
@@ -155,6 +165,12 @@ impl TextureMemory {
         }));
         (start & mask as u32, texels * layout::texel_bytes(source.format))
     }
+}
+
+/// Texels that a decoded texture holds.
+fn texels(source: &Source, ranges: &[(u32, u32)]) -> usize {
+    let bytes: u32 = ranges.iter().map(|&(_, length)| length).sum();
+    (bytes / layout::texel_bytes(source.format)) as usize
 }
 
 /// Decodes the registers that say where texels are.
@@ -207,6 +223,20 @@ mod tests {
         assert_eq!(memory.texture(&registers(3)).texel(8, 0, 0), 0xff07_0707);
         memory.write(at - 1, &[1, 9]);
         assert_eq!(memory.texture(&registers(3)).texel(8, 0, 0), 0xff09_0909);
+    }
+
+    /// However many ways there are to read the memory.
+    #[test]
+    fn decoded_textures_stay_within_twice_the_memory() {
+        let mut memory = TextureMemory::new(1 << 20);
+        for base in 0..400 {
+            // A square of 256 texels a side, in a format of eight bits.
+            let registers = TmuRegisters { base: [base; 4], t_lod: 0, ..registers(3) };
+            memory.texture(&registers);
+            let kept: usize = memory.cache.iter().map(|c| texels(&c.source, &c.ranges)).sum();
+            assert!(kept <= 2 << 20, "{kept}");
+        }
+        assert!(memory.cache.len() >= 16);
     }
 
     #[test]
