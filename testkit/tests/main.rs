@@ -1,5 +1,6 @@
 //! Tests of the engine against the reference, and of the reference itself.
 
+mod batches;
 mod formats;
 mod fuzz_targets;
 mod glide_states;
