@@ -10,7 +10,7 @@ const ALL: Rect = Rect { x0: 0, y0: 0, x1: SIDE, y1: SIDE };
 /// Clears to a grey of 0 to 255, a row of pixels at a time, so that a batch is work.
 fn fill(device: &mut Device, grey: u32) {
     for y in 0..SIDE {
-        let color = Some((0xff00_0000 | grey * 0x01_0101, Dither::Off));
+        let color = Some((0xff00_0000 | (grey * 0x01_0101), Dither::Off));
         let rect = Rect { y0: y, y1: y + 1, ..ALL };
         device.clear(rect, ClearValues { color, aux: None });
     }
