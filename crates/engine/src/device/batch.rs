@@ -1,8 +1,8 @@
 //! What is drawn together: commands, and the tiles they are drawn on.
 //!
 //! Workers set chunks of commands up and sort them into tiles; when all are
-//! ready, they take tiles and draw them. Items are handed out whole, so nothing
-//! is locked while a tile is drawn.
+//! ready, they take tiles and draw them. Items are handed out whole, each
+//! under a lock of its own that nobody else waits for.
 
 use core::ops::Range;
 use core::sync::atomic::{AtomicUsize, Ordering};
