@@ -9,8 +9,9 @@ use std::sync::Arc;
 
 use crate::device::arena::{Arena, BatchState, Command, Run};
 use crate::setup::{
-    Edge, Extra, ExtraNeeds, Fate, Launch, RawShape, Registers, Screen, Shape, Sorted, Triangle,
-    Triangles, Values, prepare, prepare_extra, prepare_palette, prepare_raw, set_up,
+    Edge, Extra, ExtraNeeds, Fate, Launch, RawShape, Screen, Shape, Sorted, Triangle, Triangles,
+    Values, VeriteSorted, prepare, prepare_extra, prepare_palette, prepare_raw, set_up,
+    set_up_verite, verite_extra,
 };
 use crate::state::Rect;
 use crate::stats::Counters;
@@ -72,6 +73,8 @@ pub(crate) struct Chunk {
     pub counters: Counters,
     /// What is known of each command's triangle before its set-up.
     sorted: Vec<Sorted>,
+    /// The same of the Vérité's, where the arena has some.
+    sorted_verites: Vec<VeriteSorted>,
     pairs: Vec<(u32, Entry)>,
     starts: Vec<u32>,
     entries: Vec<Entry>,
@@ -106,7 +109,20 @@ impl Chunk {
                     if sorted.fate == Fate::Drawn {
                         self.counters.triangles_drawn += 1;
                         set_up(arena.vertices.get(vertices), &sorted, units, &mut launch);
-                        self.launch(batch, &launch, None, state, grid);
+                        self.launch(batch, &launch, Extra::none, state, grid);
+                    }
+                }
+                Command::Verite { vertices, state } => {
+                    let sorted = self.sorted_verites[i];
+                    self.counters.triangles_in += 1;
+                    let batch = &states[state as usize];
+                    let units = batch.pipeline.unit_count;
+                    if sorted.drawn {
+                        self.counters.triangles_drawn += 1;
+                        let vertices = arena.verites.get(vertices);
+                        set_up_verite(vertices, &sorted, units, &mut launch);
+                        let extra = || verite_extra(vertices, &sorted);
+                        self.launch(batch, &launch, extra, state, grid);
                     }
                 }
                 Command::Launch { registers, state } => {
@@ -114,7 +130,8 @@ impl Chunk {
                     self.counters.triangles_drawn += 1;
                     let registers = &arena.registers[registers as usize];
                     let batch = &states[state as usize];
-                    self.launch(batch, &Launch::from(registers), Some(registers), state, grid);
+                    let extra = || Extra::from(registers);
+                    self.launch(batch, &Launch::from(registers), extra, state, grid);
                 }
                 Command::Palette { primitive, state } => {
                     self.counters.triangles_in += 1;
@@ -150,6 +167,13 @@ impl Chunk {
             }
             _ => Sorted::default(),
         }));
+        self.sorted_verites.clear();
+        if !arena.verites.is_empty() {
+            self.sorted_verites.extend(commands.iter().map(|command| match *command {
+                Command::Verite { vertices, .. } => VeriteSorted::new(arena.verites.get(vertices)),
+                _ => VeriteSorted::default(),
+            }));
+        }
     }
 
     #[inline(always)]
@@ -157,7 +181,7 @@ impl Chunk {
         &mut self,
         batch: &BatchState,
         launch: &Launch,
-        registers: Option<&Registers>,
+        extra: impl FnOnce() -> Extra,
         state: u32,
         grid: &Grid,
     ) {
@@ -174,8 +198,7 @@ impl Chunk {
         }
         let needs = batch.pipeline.needs.extra;
         if needs.any() {
-            let extra = registers.map_or_else(Extra::none, Extra::from);
-            self.extend(launch, &extra, screen, needs);
+            self.extend(launch, &extra(), screen, needs);
         }
         let Some(triangle) = self.triangles.list.last() else { return };
         let entry = Entry::Triangle(index);

@@ -18,7 +18,9 @@ use self::flush::Targets;
 use crate::crew::Crew;
 use crate::error::EngineError;
 use crate::kernel::Pipeline;
-use crate::setup::{Cull, MAX_SCALE, Outcome, Registers, Vertex, VertexExtra, extended_triangle};
+use crate::setup::{
+    Cull, MAX_SCALE, Outcome, Registers, VeriteVertex, Vertex, VertexExtra, extended_triangle,
+};
 use crate::state::{Dither, DrawState, MAX_TMUS, Origin, Rect};
 use crate::stats::{Counters, FlushStats};
 use crate::target::{PixelFormat, Surface, TileSize};
@@ -266,6 +268,17 @@ impl Device {
             Outcome::Drawn(registers) => self.launch(&registers),
             Outcome::Empty | Outcome::Culled => self.counters.triangles_in += 1,
         }
+    }
+
+    /// Draws a triangle by the current state, later, set up as the Vérité's; the
+    /// corners are made where they are kept. Texture units after the first get
+    /// zeros.
+    #[inline(always)]
+    pub fn draw_verite_made(&mut self, corners: impl FnOnce() -> [VeriteVertex; 3]) {
+        let Some(state) = self.use_state() else { return };
+        let (vertices, place) = self.arena.verites.next();
+        *place = corners();
+        self.arena.commands.push(Command::Verite { vertices, state });
     }
 
     /// Draws a triangle that was set up elsewhere, later. Of its coordinates

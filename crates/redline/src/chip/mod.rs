@@ -16,7 +16,7 @@ mod window;
 
 pub(crate) use state::State;
 
-use fillrate_engine::Counters;
+use fillrate_engine::{Counters, FlushReason};
 
 use self::area::Area;
 use self::draw::Prepared;
@@ -126,10 +126,8 @@ impl VeriteChip {
                 self.state = State::default();
                 self.invalidate();
             }
-            Opcode::Display => (self.scanout.base, self.scanout.odd) = (words[0], None),
-            Opcode::StereoDisplay => {
-                (self.scanout.base, self.scanout.odd) = (words[1], Some(words[0]));
-            }
+            Opcode::Display => self.show(words[0], None),
+            Opcode::StereoDisplay => self.show(words[1], Some(words[0])),
             Opcode::MemWrite => self.mem_write(words),
             Opcode::MemWriteRect => self.mem_write_rect(words),
             Opcode::MemClearRect => self.mem_clear_rect(words),
@@ -148,6 +146,12 @@ impl VeriteChip {
             | Opcode::FrameMarker => {}
             _ => self.in_windows(|chip| chip.draw_other(opcode, flags, words)),
         }
+    }
+
+    /// Shows other rows. The frame is drawn while the next one comes.
+    fn show(&mut self, base: u32, odd: Option<u32>) {
+        (self.scanout.base, self.scanout.odd) = (base, odd);
+        self.targets.engine.submit(FlushReason::Swap);
     }
 
     /// Commands that draw without vertices.
