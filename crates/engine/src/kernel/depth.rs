@@ -276,9 +276,7 @@ pub(super) fn early_test(pipeline: &Pipeline) -> u8 {
     let needs = &pipeline.needs;
     // Alpha in the aux plane is written by the last stage.
     let late = needs.late_depth_write || pipeline.state.aux_write == AuxWrite::Alpha;
-    // A state may only reject, and need no plane.
-    let plane = depth.test.is_some() || pipeline.writes_depth();
-    if !needs.depth || late || !plane || depth.source != DepthSource::Z {
+    if !needs.depth || late || depth.source != DepthSource::Z {
         return early::NONE;
     }
     match (depth.test, depth.bias, depth.compare_constant) {

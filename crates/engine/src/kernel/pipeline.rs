@@ -404,7 +404,7 @@ fn needs(state: &DrawState, reads_alpha: bool) -> Needs {
     let fog = |amount: FogAmount| state.fog.is_some_and(|fog| fog.amount == amount);
     let compares = state.depth.test.is_some_and(|test| test != Compare::Always);
     let z = &state.depth;
-    let depth = compares || state.aux_write == AuxWrite::Depth || z.rejects();
+    let depth = compares || state.aux_write == AuxWrite::Depth;
     let (colors, alpha) = reads_iterated(state, reads_alpha);
     Needs {
         keeps_z: fog(FogAmount::IteratedZ) || state.alpha_combine.local == AlphaLocal::Depth,
@@ -484,7 +484,7 @@ fn stages(
     add(state.pattern.is_some_and(|pattern| pattern.drops()), Stage::Pattern);
     let wide = state.depth.source.is_deep() || aux == Some(PixelFormat::Aux32);
     let depth = if wide { Stage::WideDepth } else { Stage::Depth };
-    add(needs.depth || needs.keeps_z || needs.keeps_w, depth);
+    add(needs.depth || needs.keeps_z || needs.keeps_w || state.depth.rejects(), depth);
     if reads_texture(state) || drops_keyed(state) {
         for (index, plan) in units.iter().enumerate().rev() {
             let Some(plan) = plan else { continue };
