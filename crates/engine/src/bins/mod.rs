@@ -160,13 +160,15 @@ impl Chunk {
     #[inline(always)]
     fn sort_corners(&mut self, arena: &Arena, commands: &[Command]) {
         self.sorted.clear();
-        self.sorted.extend(commands.iter().map(|command| match *command {
-            Command::Triangle { vertices, cull, .. } => {
-                let [a, b, c] = arena.vertices.get(vertices);
-                Sorted::new([a, b, c], cull)
-            }
-            _ => Sorted::default(),
-        }));
+        if !arena.vertices.is_empty() {
+            self.sorted.extend(commands.iter().map(|command| match *command {
+                Command::Triangle { vertices, cull, .. } => {
+                    let [a, b, c] = arena.vertices.get(vertices);
+                    Sorted::new([a, b, c], cull)
+                }
+                _ => Sorted::default(),
+            }));
+        }
         self.sorted_verites.clear();
         if !arena.verites.is_empty() {
             self.sorted_verites.extend(commands.iter().map(|command| match *command {

@@ -270,14 +270,14 @@ impl Device {
         }
     }
 
-    /// Draws a triangle by the current state, later, set up as the Vérité's; the
-    /// corners are made where they are kept. Texture units after the first get
-    /// zeros.
+    /// Draws a triangle by the current state, later, set up as the Vérité's. Texture
+    /// units after the first get zeros. `write` writes the corners where they are
+    /// kept; until then they hold those of another triangle.
     #[inline(always)]
-    pub fn draw_verite_made(&mut self, corners: impl FnOnce() -> [VeriteVertex; 3]) {
+    pub fn draw_verite(&mut self, write: impl FnOnce(&mut [VeriteVertex; 3])) {
         let Some(state) = self.use_state() else { return };
         let (vertices, place) = self.arena.verites.next();
-        *place = corners();
+        write(place);
         self.arena.commands.push(Command::Verite { vertices, state });
     }
 

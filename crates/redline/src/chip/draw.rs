@@ -4,8 +4,8 @@
 
 use std::sync::Arc;
 
-use fillrate_engine::Texture;
 use fillrate_engine::state::{DrawState, Filter, MAX_TMUS, Rect};
+use fillrate_engine::{Texture, VeriteVertex};
 
 use super::VeriteChip;
 use super::area::Area;
@@ -121,6 +121,61 @@ impl Prepared {
         let (binding, _) = self.texture.as_ref()?;
         let origin = [binding.columns.origin, binding.rows.origin];
         (origin != [0, 0]).then(|| origin.map(f64::from))
+    }
+}
+
+/// Three corners, read or to be read by what the state makes of attributes.
+pub(super) trait Corners {
+    /// Where they are, in sixteenths.
+    fn places(&self) -> [[i32; 2]; 3];
+    /// The corners.
+    fn read(&self, attributes: &Attributes) -> [Corner; 3];
+    /// As the engine takes them, at their places.
+    fn read_to(&self, attributes: &Attributes, at: [[i32; 2]; 3], to: &mut [VeriteVertex; 3]);
+}
+
+impl Corners for [Corner; 3] {
+    fn places(&self) -> [[i32; 2]; 3] {
+        self.each_ref().map(|corner| corner.place)
+    }
+
+    fn read(&self, _: &Attributes) -> [Corner; 3] {
+        *self
+    }
+
+    fn read_to(&self, _: &Attributes, _: [[i32; 2]; 3], to: &mut [VeriteVertex; 3]) {
+        *to = self.each_ref().map(|corner| corner.vertex);
+    }
+}
+
+/// Vertices of a layout.
+#[derive(Clone, Copy)]
+struct Words<'a> {
+    layout: &'static Layout,
+    a: &'a [u32],
+    b: &'a [u32],
+    c: &'a [u32],
+    textured: bool,
+}
+
+impl Corners for Words<'_> {
+    #[inline(always)]
+    fn places(&self) -> [[i32; 2]; 3] {
+        let place = |words| setup::place(self.layout, words);
+        [place(self.a), place(self.b), place(self.c)]
+    }
+
+    #[cold]
+    fn read(&self, attributes: &Attributes) -> [Corner; 3] {
+        [self.a, self.b, self.c].map(|words| attributes.read(self.layout, words, self.textured))
+    }
+
+    #[inline(always)]
+    fn read_to(&self, attributes: &Attributes, at: [[i32; 2]; 3], to: &mut [VeriteVertex; 3]) {
+        let ([to_a, to_b, to_c], Words { layout, textured, .. }) = (to, *self);
+        attributes.read_to(layout, self.a, textured, at[0], to_a);
+        attributes.read_to(layout, self.b, textured, at[1], to_b);
+        attributes.read_to(layout, self.c, textured, at[2], to_c);
     }
 }
 
@@ -367,17 +422,11 @@ impl VeriteChip {
         }))
     }
 
-    /// Draws a triangle at three places of the destination. `corner` reads the
-    /// corner of a number, with the whole texture; it is asked only where
-    /// something can be seen.
+    /// Draws a triangle of the destination, read with the whole texture.
     #[inline(always)]
-    pub(super) fn launch(
-        &mut self,
-        mode: Mode,
-        places: [[i32; 2]; 3],
-        corner: impl Fn(&Attributes, usize) -> Corner,
-    ) {
+    pub(super) fn launch(&mut self, mode: Mode, corners: &impl Corners) {
         let Some(prepared) = &self.prepared else { return };
+        let places = corners.places();
         let extent = Extent::new(places);
         let drawn = extent.pixels().intersect(&prepared.scissor);
         if drawn.is_empty() {
@@ -385,18 +434,17 @@ impl VeriteChip {
         }
         let attributes = &prepared.attributes;
         if !prepared.is_direct(mode) || !extent.is_near() {
-            let corners = [0, 1, 2].map(|i| corner(attributes, i));
-            return self.launch_anyhow(mode, &corners, &drawn);
+            return self.launch_anyhow(mode, &corners.read(attributes), &drawn);
         }
         self.targets.drawn(&drawn, prepared.depth);
-        self.targets.engine.draw_verite_made(|| [0, 1, 2].map(|i| corner(attributes, i).vertex()));
+        self.targets.engine.draw_verite(|to| corners.read_to(attributes, places, to));
     }
 
     /// The same where the engine has to be set to the window and the mode, where
     /// the window or the texture begins elsewhere, or where corners lie far away.
     #[inline(never)]
     fn launch_anyhow(&mut self, mode: Mode, corners: &[Corner; 3], drawn: &Rect) {
-        let texels = corners.each_ref().map(|corner| corner.texel);
+        let texels = corners.each_ref().map(|corner| corner.vertex.texel);
         let Some((at, first_texel)) = self.begin(mode, &texels, drawn) else { return };
         let engine = &mut self.targets.engine;
         let corners = corners.each_ref().map(|corner| match first_texel {
@@ -404,7 +452,7 @@ impl VeriteChip {
             None => corner.moved(at),
         });
         if Extent::new(corners.each_ref().map(|corner| corner.place)).is_near() {
-            return engine.draw_verite_made(|| corners.map(|corner| corner.vertex()));
+            return engine.draw_verite(|place| *place = corners.map(|corner| corner.vertex));
         }
         let [a, b, c] = &corners;
         setup::parts([a, b, c]).iter().for_each(|registers| engine.launch(registers));
@@ -447,25 +495,17 @@ impl VeriteChip {
 
     /// Draws a triangle by the words of its corners.
     #[inline]
-    fn triangle(&mut self, layout: &'static Layout, words: [&[u32]; 3]) {
+    fn triangle(&mut self, layout: &'static Layout, a: &[u32], b: &[u32], c: &[u32]) {
         let Some(prepared) = self.prepare() else { return };
         let mode = prepared.mode_of(layout);
-        let textured = mode.textured();
-        let places = words.map(|words| setup::place(layout, words));
-        self.launch(mode, places, |attributes, i| attributes.read(layout, words[i], textured));
+        self.launch(mode, &Words { layout, a, b, c, textured: mode.textured() });
     }
 
-    /// Draws triangles of corners that were read with the whole texture, by their
-    /// numbers.
-    pub(super) fn launch_all<const N: usize>(
-        &mut self,
-        mode: Mode,
-        corners: &[Corner; N],
-        triangles: &[[usize; 3]],
-    ) {
-        for triangle in triangles {
-            let places = triangle.map(|i| corners[i].place);
-            self.launch(mode, places, |_, i| corners[triangle[i]]);
+    /// The halves of a rectangle, of its upper left, upper right, lower left and
+    /// lower right corner.
+    pub(super) fn halves(&mut self, mode: Mode, corners: &[Corner; 4]) {
+        for half in HALVES {
+            self.launch(mode, &half.map(|i| corners[i]));
         }
     }
 
@@ -475,7 +515,7 @@ impl VeriteChip {
         let Some(prepared) = &self.prepared else { return };
         let corners = UPPER_LEFT_FIRST
             .map(|[i, j]| prepared.attributes.corner([at[i][0], at[j][1]], [uv[i][0], uv[j][1]]));
-        self.launch_all(mode, &corners, &HALVES);
+        self.halves(mode, &corners);
     }
 
     /// A primitive with vertices.
@@ -484,15 +524,15 @@ impl VeriteChip {
         let size = vertex.words();
         let word = |i: usize| &words[i * size..(i + 1) * size];
         match opcode {
-            Opcode::Triangle => self.triangle(layout, [word(0), word(1), word(2)]),
+            Opcode::Triangle => self.triangle(layout, word(0), word(1), word(2)),
             Opcode::Tristrip => {
                 for i in 2..words.len() / size {
-                    self.triangle(layout, [word(i - 2), word(i - 1), word(i)]);
+                    self.triangle(layout, word(i - 2), word(i - 1), word(i));
                 }
             }
             Opcode::Trifan => {
                 for i in 2..words.len() / size {
-                    self.triangle(layout, [word(0), word(i - 1), word(i)]);
+                    self.triangle(layout, word(0), word(i - 1), word(i));
                 }
             }
             Opcode::Square => self.centered(layout, words, [head[0], head[0]]),
@@ -539,16 +579,17 @@ impl VeriteChip {
             _ => VertexType::KSXYZUVQ.layout(),
         };
         let size = words.len() / 3;
-        self.triangle(layout, [&words[..size], &words[size..2 * size], &words[2 * size..]]);
+        self.triangle(layout, &words[..size], &words[size..2 * size], &words[2 * size..]);
     }
 
     /// `V_FIFO_TRI_FILL`: the default colour, whatever the source function.
     pub(super) fn triangle_fill(&mut self, words: &[u32]) {
-        if self.prepare().is_none() {
-            return;
-        }
-        let places = [0, 2, 4].map(|i| [words[i], words[i + 1]].map(setup::sixteenths));
-        self.launch(Mode::Flat, places, |attributes, i| attributes.corner(places[i], [0, 0]));
+        let Some(prepared) = self.prepare() else { return };
+        let corners = [0, 2, 4].map(|i| {
+            let place = [words[i], words[i + 1]].map(setup::sixteenths);
+            prepared.attributes.corner(place, [0, 0])
+        });
+        self.launch(Mode::Flat, &corners);
     }
 
     /// `V_FIFO_PARTICLES`: rectangles of one colour and depth.
@@ -562,10 +603,10 @@ impl VeriteChip {
             let [x, y] = [place >> 16, place & 0xffff].map(|v| i32::from(v as u16 as i16) * 16);
             let [width, height] = [size >> 16, size & 0xffff].map(|v| v as i32 * 16);
             let layout = VertexType::KXYZ.layout();
-            let values = prepared.attributes.read(layout, &[color, 0, 0, z], false);
-            let corners = UPPER_LEFT_FIRST
-                .map(|[i, j]| Corner { place: [x + [0, width][i], y + [0, height][j]], ..values });
-            self.launch_all(Mode::Flat, &corners, &HALVES);
+            let Corner { vertex, .. } = prepared.attributes.read(layout, &[color, 0, 0, z], false);
+            let place = |[i, j]: [usize; 2]| [x + [0, width][i], y + [0, height][j]];
+            let corners = UPPER_LEFT_FIRST.map(|at| Corner::new(place(at), &vertex));
+            self.halves(Mode::Flat, &corners);
         }
     }
 
@@ -587,7 +628,7 @@ impl VeriteChip {
         };
         let corners = UPPER_LEFT_FIRST.map(|[i, j]| corner([x, x1][i], [y, y1][j]));
         let mode = self.mode_of(&NO_Q);
-        self.launch_all(mode, &corners, &HALVES);
+        self.halves(mode, &corners);
     }
 }
 

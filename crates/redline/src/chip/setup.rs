@@ -18,6 +18,8 @@ use crate::vertex::{Attribute, Layout};
 const NARROW: usize = 9;
 /// Index of alpha among them.
 pub(crate) const ALPHA: usize = 3;
+/// Index of fog in [`VeriteVertex::specular`].
+const FOG: usize = 3;
 /// Index of z among them.
 const Z: usize = 4;
 /// 1.0 with 32 fraction bits.
@@ -32,34 +34,35 @@ const LIMIT: i32 = 2047 * 16;
 pub(crate) struct Corner {
     /// Column and row in sixteenths.
     pub place: [i32; 2],
-    /// Red, green, blue and alpha, 12.12.
-    pub color: [i32; 4],
-    /// 21.11.
-    pub z: i32,
-    /// Red, green and blue of the specular colour, and fog, 12.12.
-    pub specular: [i32; 4],
-    /// Column and row of the texture times Q, and Q, with 32 fraction bits.
-    pub texel: [f64; 3],
+    /// As the engine takes it; its place counts within [`LIMIT`].
+    pub vertex: VeriteVertex,
 }
 
 impl Corner {
+    /// What `vertex` has, at a place.
+    pub fn new(place: [i32; 2], vertex: &VeriteVertex) -> Corner {
+        let mut vertex = *vertex;
+        put(place, &mut vertex);
+        Corner { place, vertex }
+    }
+
     /// The same corner where pixel `at` is the first one.
     pub fn moved(&self, [x, y]: [u32; 2]) -> Corner {
         let place = [self.place[0] - (x << 4) as i32, self.place[1] - (y << 4) as i32];
-        Corner { place, ..*self }
+        Corner::new(place, &self.vertex)
     }
 
     /// The same corner of a texture that begins with another texel.
-    pub fn from_texel(&self, [s, t]: [f64; 2]) -> Corner {
-        Corner { texel: texel_from(self.texel, [s, t]), ..*self }
+    pub fn from_texel(&self, at: [f64; 2]) -> Corner {
+        let texel = texel_from(self.vertex.texel, at);
+        Corner { vertex: VeriteVertex { texel, ..self.vertex }, ..*self }
     }
+}
 
-    /// As the engine takes it; it lies within [`LIMIT`].
-    #[inline(always)]
-    pub fn vertex(&self) -> VeriteVertex {
-        let Corner { place: [x, y], color, z, specular, texel } = *self;
-        VeriteVertex { color, z, specular, x: x as i16, y: y as i16, texel }
-    }
+/// Puts a vertex at a place.
+#[inline(always)]
+fn put([x, y]: [i32; 2], vertex: &mut VeriteVertex) {
+    (vertex.x, vertex.y) = (x as i16, y as i16);
 }
 
 fn texel_from([u, v, q]: [f64; 3], [s, t]: [f64; 2]) -> [f64; 3] {
@@ -72,15 +75,15 @@ pub(crate) struct Values {
     /// Red, green, blue, alpha (12.12), z (21.11), specular red, green, blue
     /// and fog (12.12).
     pub narrow: [f64; NARROW],
-    /// See [`Corner::texel`].
+    /// Column and row of the texture times Q, and Q, with 32 fraction bits.
     pub texel: [f64; 3],
 }
 
 impl From<&Corner> for Values {
-    fn from(corner: &Corner) -> Values {
-        let ([r, g, b, a], [sr, sg, sb, fog]) = (corner.color, corner.specular);
-        let narrow = [r, g, b, a, corner.z, sr, sg, sb, fog].map(f64::from);
-        Values { narrow, texel: corner.texel }
+    fn from(Corner { vertex, .. }: &Corner) -> Values {
+        let ([r, g, b, a], [sr, sg, sb, fog]) = (vertex.color, vertex.specular);
+        let narrow = [r, g, b, a, vertex.z, sr, sg, sb, fog].map(f64::from);
+        Values { narrow, texel: vertex.texel }
     }
 }
 
@@ -105,9 +108,8 @@ impl Values {
 /// what becomes of texture coordinates.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Attributes {
-    color: [i32; 4],
-    z: i32,
-    specular: [i32; 4],
+    /// Whose place and texel mean nothing.
+    defaults: VeriteVertex,
     /// Default U and V.
     coordinates: [u32; 2],
     multipliers: [f64; 2],
@@ -125,16 +127,18 @@ fn channel(word: u32) -> i32 {
     (word as i32).clamp(0, 0xff_ffff) >> 4
 }
 
-/// A byte of a packed colour as 12.12.
+/// Red, green, blue and alpha of a packed colour as 12.12.
 #[inline]
-fn byte(word: u32, shift: u32) -> i32 {
-    ((word >> shift & 0xff) << 12) as i32
+fn packed(word: u32) -> [i32; 4] {
+    let [b, g, r, a] = word.to_le_bytes().map(|byte| i32::from(byte) << 12);
+    [r, g, b, a]
 }
 
-/// Red, green and blue of a packed colour.
+/// The same with another alpha.
 #[inline]
-fn packed(word: u32) -> [i32; 3] {
-    [byte(word, 16), byte(word, 8), byte(word, 0)]
+fn packed_with(word: u32, alpha: i32) -> [i32; 4] {
+    let [r, g, b, _] = packed(word);
+    [r, g, b, alpha]
 }
 
 /// z of 16.16 as 21.11.
@@ -146,13 +150,14 @@ fn depth(word: u32) -> i32 {
 /// 16.16 to sixteenths, to the nearest.
 #[inline]
 pub(crate) fn sixteenths(word: u32) -> i32 {
-    ((i64::from(word as i32) + 0x800) >> 12) as i32
+    ((word as i32 >> 11) + 1) >> 1
 }
 
 /// A vertex's place in sixteenths.
-#[inline]
+#[inline(always)]
 pub(crate) fn place(layout: &Layout, words: &[u32]) -> [i32; 2] {
-    [Attribute::X, Attribute::Y].map(|axis| sixteenths(layout.get(words, axis).unwrap_or(0)))
+    let [x, y] = [layout.get(words, Attribute::X), layout.get(words, Attribute::Y)];
+    [sixteenths(x.unwrap_or(0)), sixteenths(y.unwrap_or(0))]
 }
 
 impl Attributes {
@@ -161,15 +166,14 @@ impl Attributes {
         let get = |register| state.get(register);
         let [r, g, b, a, f] = [Register::R, Register::G, Register::B, Register::A, Register::F]
             .map(|register| channel(get(register)));
-        let [sr, sg, sb] = packed(get(Register::SpecularColorRgb));
+        let specular = packed_with(get(Register::SpecularColorRgb), f);
         // The engine takes half a texel off where it filters; the chip does not.
         let half = if filtered { 0.5 } else { 0.0 };
         let offset = |register| f64::from(get(register) as i32) / 65536.0 + half;
         let multiplier = |register| f64::from(get(register)) / 65536.0;
+        let (color, z) = ([r, g, b, a], depth(get(Register::Z)));
         Attributes {
-            color: [r, g, b, a],
-            z: depth(get(Register::Z)),
-            specular: [sr, sg, sb, f],
+            defaults: VeriteVertex { color, z, specular, ..VeriteVertex::default() },
             coordinates: [get(Register::U), get(Register::V)],
             multipliers: [multiplier(Register::UMultiplier), multiplier(Register::VMultiplier)],
             offsets: [offset(Register::SOffset), offset(Register::TOffset)],
@@ -180,8 +184,8 @@ impl Attributes {
 
     /// A vertex of the default attributes at a place, in sixteenths.
     pub fn corner(&self, place: [i32; 2], [u, v]: [u32; 2]) -> Corner {
-        let Attributes { color, z, specular, .. } = *self;
-        Corner { place, color, z, specular, texel: self.texel(u, v, ONE) }
+        let texel = self.texel(u, v, ONE);
+        Corner::new(place, &VeriteVertex { texel, ..self.defaults })
     }
 
     /// Column and row times Q, and Q; `q` has 32 fraction bits.
@@ -195,12 +199,29 @@ impl Attributes {
     }
 
     /// Reads a vertex; `textured` where its coordinates are needed.
-    #[inline(always)]
     pub fn read(&self, layout: &Layout, words: &[u32], textured: bool) -> Corner {
+        let (place, mut vertex) = (place(layout, words), self.defaults);
+        self.read_to(layout, words, textured, place, &mut vertex);
+        Corner { place, vertex }
+    }
+
+    /// The same to where it is kept, and no more of it than the state reads, which
+    /// is faster than making it and moving it there.
+    #[inline(always)]
+    pub fn read_to(
+        &self,
+        layout: &Layout,
+        words: &[u32],
+        textured: bool,
+        place: [i32; 2],
+        to: &mut VeriteVertex,
+    ) {
         let get = |attribute| layout.get(words, attribute);
-        let Attributes { mut color, mut z, mut specular, .. } = *self;
+        let VeriteVertex { mut color, z, .. } = self.defaults;
+        put(place, to);
+        to.z = get(Attribute::Z).map_or(z, depth);
         if let Some(k) = get(Attribute::K) {
-            color[..3].copy_from_slice(&packed(k));
+            color = packed_with(k, color[ALPHA]);
         } else if let Some(r) = get(Attribute::R) {
             color[0] = channel(r);
             color[1] = get(Attribute::G).map_or(color[1], channel);
@@ -208,38 +229,37 @@ impl Attributes {
         } else if let Some(i) = get(Attribute::I) {
             color[..3].fill(channel(i));
         } else if let Some(ka) = get(Attribute::Ka) {
-            color[..3].copy_from_slice(&packed(ka));
-            color[ALPHA] = byte(ka, 24);
+            color = packed(ka);
         }
+        to.color = color;
         if let Some(a) = get(Attribute::A) {
-            color[ALPHA] = channel(a);
-        }
-        if let Some(word) = get(Attribute::Z) {
-            z = depth(word);
+            to.color[ALPHA] = channel(a);
         }
         if self.extended {
-            specular = self.read_extended(layout, words);
+            to.specular = self.read_extended(layout, words);
         }
-        let texel = if textured { self.read_texel(layout, words) } else { [0.0; 3] };
-        Corner { place: place(layout, words), color, z, specular, texel }
+        if textured {
+            to.texel = self.read_texel(layout, words);
+        }
     }
 
+    #[inline(never)]
     fn read_extended(&self, layout: &Layout, words: &[u32]) -> [i32; 4] {
-        let mut specular = self.specular;
+        let mut specular = self.defaults.specular;
         if let Some(s) = layout.get(words, Attribute::S) {
-            specular[..3].copy_from_slice(&packed(s));
+            specular = packed_with(s, specular[FOG]);
         } else if let Some(sf) = layout.get(words, Attribute::Sf) {
-            specular[..3].copy_from_slice(&packed(sf));
-            specular[3] = byte(sf, 24);
+            specular = packed(sf);
         } else if let Some(fog) = layout.get(words, Attribute::Fp) {
-            specular[3] = byte(fog, 24);
+            specular[FOG] = packed(fog)[FOG];
         }
         if let Some(f) = layout.get(words, Attribute::F) {
-            specular[3] = channel(f);
+            specular[FOG] = channel(f);
         }
         specular
     }
 
+    #[inline]
     fn read_texel(&self, layout: &Layout, words: &[u32]) -> [f64; 3] {
         let u = layout.get(words, Attribute::U).unwrap_or(self.coordinates[0]);
         let v = layout.get(words, Attribute::V).unwrap_or(self.coordinates[1]);
@@ -376,7 +396,7 @@ fn twice_area(places: &[[i32; 2]; 3]) -> i64 {
 pub(crate) fn parts(corners: [&Corner; 3]) -> Vec<Registers> {
     let places = corners.map(|corner| corner.place);
     if Extent::new(places).is_near() {
-        return verite_triangle(&corners.map(Corner::vertex)).into_iter().collect();
+        return verite_triangle(&corners.map(|corner| corner.vertex)).into_iter().collect();
     }
     let Some(planes) = Planes::new(corners) else { return Vec::new() };
     let polygon = clipped(places);
@@ -425,7 +445,8 @@ mod tests {
     use super::*;
 
     fn corner(x: i32, y: i32, red: i32) -> Corner {
-        Corner { place: [x * 16, y * 16], color: [red, 0, 0, 0], ..Corner::default() }
+        let vertex = VeriteVertex { color: [red, 0, 0, 0], ..VeriteVertex::default() };
+        Corner::new([x * 16, y * 16], &vertex)
     }
 
     #[test]

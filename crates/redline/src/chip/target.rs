@@ -442,7 +442,7 @@ impl Targets {
     }
 
     /// Notes that the target changes within a rectangle that is not empty.
-    #[inline]
+    #[inline(always)]
     pub fn drawn(&mut self, rect: &Rect, depth: bool) {
         if depth != self.drawn.depth {
             self.settle();
@@ -453,6 +453,7 @@ impl Targets {
 
     /// Tells the target's residents where it was drawn. Due before anything asks
     /// residents, and before the target changes.
+    #[inline(never)]
     fn settle(&mut self) {
         let Drawn { rect, depth } = std::mem::replace(&mut self.drawn, Drawn::NOWHERE);
         let (color, aux) = (self.color, self.depth.filter(|_| depth));
