@@ -5,7 +5,7 @@ use std::sync::Arc;
 use fillrate_engine::state::{DrawState, MAX_TMUS, Rect};
 use fillrate_engine::{
     ClearValues, Cull, Device, DeviceConfig, EngineError, PixelFormat, PixelRun, Registers,
-    SurfaceId, Texture, VeriteVertex, Vertex, VertexExtra,
+    SurfaceId, Texture, VeriteExtra, VeriteVertex, Vertex, VertexExtra,
 };
 
 use crate::reference::{Reference, Textures};
@@ -19,7 +19,7 @@ pub trait Canvas {
     /// Sets a triangle up with what its vertices have besides, and draws it.
     fn extended(&mut self, vertices: &[Vertex; 3], extras: &[VertexExtra; 3], cull: Cull);
     /// Sets a triangle up as the Vérité's and draws it.
-    fn verite(&mut self, vertices: &[VeriteVertex; 3]);
+    fn verite(&mut self, corners: &[(VeriteVertex, VeriteExtra); 3]);
     /// Draws a triangle that was set up elsewhere.
     fn launch(&mut self, registers: &Registers);
     /// Draws ready-made fragments.
@@ -59,8 +59,8 @@ impl Canvas for ReferenceCanvas {
         self.reference.extended(&self.state, &self.textures, vertices, extras, cull);
     }
 
-    fn verite(&mut self, vertices: &[VeriteVertex; 3]) {
-        self.reference.verite(&self.state, &self.textures, vertices);
+    fn verite(&mut self, corners: &[(VeriteVertex, VeriteExtra); 3]) {
+        self.reference.verite(&self.state, &self.textures, corners);
     }
 
     fn launch(&mut self, registers: &Registers) {
@@ -189,8 +189,11 @@ impl Canvas for DeviceCanvas {
         self.device.draw_extended(vertices.each_ref(), extras.each_ref(), cull);
     }
 
-    fn verite(&mut self, vertices: &[VeriteVertex; 3]) {
-        self.device.draw_verite(|to| *to = *vertices);
+    fn verite(&mut self, corners: &[(VeriteVertex, VeriteExtra); 3]) {
+        match corners.iter().all(|corner| corner.1 == VeriteExtra::default()) {
+            true => self.device.draw_verite(|to| *to = corners.map(|corner| corner.0)),
+            false => self.device.draw_verite_extended(|to| *to = *corners),
+        }
     }
 
     fn launch(&mut self, registers: &Registers) {

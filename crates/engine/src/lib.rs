@@ -31,7 +31,7 @@ pub use device::{ClearValues, Device, DeviceConfig, FlushReason, PixelRun, Surfa
 pub use error::EngineError;
 pub use setup::{
     Cull, Outcome, PALETTE_COORDINATE, PalettePrimitive, PaletteVertex, Param, RawPrimitive,
-    RawVertex, Registers, TmuVertex, VeriteVertex, Vertex, VertexExtra, WideParam,
+    RawVertex, Registers, TmuVertex, VeriteExtra, VeriteVertex, Vertex, VertexExtra, WideParam,
 };
 pub use state::{
     DrawState, PaletteBlend, PaletteDraw, PaletteState, RawDraw, RawState, RawTexture,

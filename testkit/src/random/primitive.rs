@@ -1,7 +1,7 @@
 //! Random triangles, as vertices and as registers.
 
 use fillrate_engine::{
-    Cull, Param, Registers, TmuVertex, VeriteVertex, Vertex, VertexExtra, WideParam,
+    Cull, Param, Registers, TmuVertex, VeriteExtra, VeriteVertex, Vertex, VertexExtra, WideParam,
 };
 
 use super::Rng;
@@ -163,8 +163,8 @@ pub fn extras(rng: &mut Rng) -> [VertexExtra; 3] {
     })
 }
 
-/// A triangle for the Vérité's set-up, of the same kinds.
-pub fn verite_vertices(rng: &mut Rng, width: u32, height: u32) -> [VeriteVertex; 3] {
+/// A triangle for the Vérité's set-up, of the same kinds; some have no extras.
+pub fn verite_corners(rng: &mut Rng, width: u32, height: u32) -> [(VeriteVertex, VeriteExtra); 3] {
     let corners = corners(rng, width as f32, height as f32);
     let (colors, depths, texels) = (rng.below(8), rng.below(8), rng.below(8));
     let scale = f64::from(rng.pick(&[4.0, 64.0, 256.0, 1024.0, 16384.0, 1e9]));
@@ -194,13 +194,13 @@ pub fn verite_vertices(rng: &mut Rng, width: u32, height: u32) -> [VeriteVertex;
             }
         }
     };
-    corners.map(|(x, y)| VeriteVertex {
-        color: [(); 4].map(|()| color(rng)),
-        z: depth(rng),
-        specular: [(); 4].map(|()| color(rng)),
-        x: (x * 16.0) as i16,
-        y: (y * 16.0) as i16,
-        texel: texel(rng),
+    let plain = rng.one_in(3);
+    corners.map(|(x, y)| {
+        let [first, second] = [(); 2].map(|()| [(); 4].map(|()| color(rng)));
+        let (x, y) = ((x * 16.0) as i16, (y * 16.0) as i16);
+        let vertex = VeriteVertex { color: first, z: depth(rng), x, y };
+        let extra = VeriteExtra { specular: second, texel: texel(rng) };
+        (vertex, if plain { VeriteExtra::default() } else { extra })
     })
 }
 

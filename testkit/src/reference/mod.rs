@@ -25,8 +25,8 @@ use std::sync::Arc;
 
 use fillrate_engine::state::{DrawState, MAX_TMUS, Origin, Rect};
 use fillrate_engine::{
-    ClearValues, Counters, Cull, PixelFormat, PixelRun, Registers, Texture, VeriteVertex, Vertex,
-    VertexExtra,
+    ClearValues, Counters, Cull, PixelFormat, PixelRun, Registers, Texture, VeriteExtra,
+    VeriteVertex, Vertex, VertexExtra,
 };
 
 pub use dither::{pack, unpack};
@@ -111,9 +111,14 @@ impl Reference {
     }
 
     /// Sets a triangle up as the Vérité's and draws it.
-    pub fn verite(&mut self, state: &DrawState, textures: &Textures, vertices: &[VeriteVertex; 3]) {
+    pub fn verite(
+        &mut self,
+        state: &DrawState,
+        textures: &Textures,
+        corners: &[(VeriteVertex, VeriteExtra); 3],
+    ) {
         self.counters.triangles_in += 1;
-        if let SetUp::Drawn(registers) = set_up_verite(vertices) {
+        if let SetUp::Drawn(registers) = set_up_verite(corners) {
             self.counters.triangles_drawn += 1;
             self.raster(state, textures, &registers);
         }

@@ -3,7 +3,7 @@
 //! Source: G246, triangle set-up; SST1, register formats.
 
 use fillrate_engine::{
-    Cull, Param, Registers, TmuVertex, VeriteVertex, Vertex, VertexExtra, WideParam,
+    Cull, Param, Registers, TmuVertex, VeriteExtra, VeriteVertex, Vertex, VertexExtra, WideParam,
 };
 
 /// What becomes of a triangle.
@@ -133,7 +133,9 @@ fn add_extras(
 /// Sorts and computes the registers of a triangle as the Vérité has it: planes
 /// through the corners as they come, in double precision, from coordinates in
 /// sixteenths.
-pub fn set_up_verite(vertices: &[VeriteVertex; 3]) -> SetUp {
+pub fn set_up_verite(corners: &[(VeriteVertex, VeriteExtra); 3]) -> SetUp {
+    let vertices = corners.map(|corner| corner.0);
+    let extras = corners.map(|corner| corner.1);
     let x = vertices.map(|v| i64::from(v.x));
     let y = vertices.map(|v| i64::from(v.y));
     let area =
@@ -152,13 +154,14 @@ pub fn set_up_verite(vertices: &[VeriteVertex; 3]) -> SetUp {
     order.sort_by_key(|&i| y[i]);
     let first = &vertices[order[0]];
     // Casts of floats end at the last integer and drop fractions.
-    let narrow = |field: &dyn Fn(&VeriteVertex) -> i32| {
-        let [dx, dy] = steps(vertices.each_ref().map(|v| f64::from(field(v)))).map(|v| v as i32);
-        Param { start: field(first), dx, dy }
+    let narrow = |values: [i32; 3]| {
+        let [dx, dy] = steps(values.map(f64::from)).map(|v| v as i32);
+        Param { start: values[order[0]], dx, dy }
     };
     let wide = |i: usize| {
-        let [dx, dy] = steps(vertices.map(|v| v.texel[i])).map(|v| v as i64);
-        WideParam { start: first.texel[i] as i64, dx, dy }
+        let values = extras.map(|extra| extra.texel[i]);
+        let [dx, dy] = steps(values).map(|v| v as i64);
+        WideParam { start: values[order[0]] as i64, dx, dy }
     };
     let [z_dx, z_dy] =
         steps(vertices.map(|v| f64::from(v.z))).map(|v| (v as i64).wrapping_mul(2) as i32);
@@ -167,10 +170,10 @@ pub fn set_up_verite(vertices: &[VeriteVertex; 3]) -> SetUp {
         x: order.map(|i| x[i] as i32),
         y: order.map(|i| y[i] as i32),
         negative: area(order) < 0,
-        color: [0, 1, 2, 3].map(|i| narrow(&|v| v.color[i])),
+        color: [0, 1, 2, 3].map(|i| narrow(vertices.map(|v| v.color[i]))),
         z,
         tmu: [[0, 1, 2].map(wide), Default::default(), Default::default()],
-        specular: [0, 1, 2, 3].map(|i| narrow(&|v| v.specular[i])),
+        specular: [0, 1, 2, 3].map(|i| narrow(extras.map(|extra| extra.specular[i]))),
         ..Registers::default()
     }))
 }

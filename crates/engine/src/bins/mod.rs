@@ -10,8 +10,8 @@ use std::sync::Arc;
 use crate::device::arena::{Arena, BatchState, Command, Run};
 use crate::setup::{
     Edge, Extra, ExtraNeeds, Fate, Launch, RawShape, Screen, Shape, Sorted, Triangle, Triangles,
-    Values, VeriteSorted, prepare, prepare_extra, prepare_palette, prepare_raw, set_up,
-    set_up_verite, verite_extra,
+    Values, VeriteExtra, VeriteSorted, VeriteVertex, prepare, prepare_extra, prepare_palette,
+    prepare_raw, set_up, set_up_verite, verite_extra,
 };
 use crate::state::Rect;
 use crate::stats::Counters;
@@ -112,16 +112,16 @@ impl Chunk {
                         self.launch(batch, &launch, Extra::none, state, grid);
                     }
                 }
-                Command::Verite { vertices, state } => {
+                Command::Verite { state, .. } | Command::VeriteExtended { state, .. } => {
                     let sorted = self.sorted_verites[i];
                     self.counters.triangles_in += 1;
                     let batch = &states[state as usize];
                     let units = batch.pipeline.unit_count;
-                    if sorted.drawn {
+                    if let (true, Some((vertices, extras))) = (sorted.drawn, verite(arena, command))
+                    {
                         self.counters.triangles_drawn += 1;
-                        let vertices = arena.verites.get(vertices);
-                        set_up_verite(vertices, &sorted, units, &mut launch);
-                        let extra = || verite_extra(vertices, &sorted);
+                        set_up_verite(vertices, extras, &sorted, units, &mut launch);
+                        let extra = || verite_extra(vertices, extras, &sorted);
                         self.launch(batch, &launch, extra, state, grid);
                     }
                 }
@@ -160,7 +160,7 @@ impl Chunk {
     #[inline(always)]
     fn sort_corners(&mut self, arena: &Arena, commands: &[Command]) {
         self.sorted.clear();
-        if !arena.vertices.is_empty() {
+        if arena.has_triangles() {
             self.sorted.extend(commands.iter().map(|command| match *command {
                 Command::Triangle { vertices, cull, .. } => {
                     let [a, b, c] = arena.vertices.get(vertices);
@@ -170,10 +170,12 @@ impl Chunk {
             }));
         }
         self.sorted_verites.clear();
-        if !arena.verites.is_empty() {
-            self.sorted_verites.extend(commands.iter().map(|command| match *command {
-                Command::Verite { vertices, .. } => VeriteSorted::new(arena.verites.get(vertices)),
-                _ => VeriteSorted::default(),
+        if arena.has_verites() {
+            self.sorted_verites.extend(commands.iter().map(|command| {
+                match verite(arena, command) {
+                    Some((vertices, _)) => VeriteSorted::new(vertices),
+                    None => VeriteSorted::default(),
+                }
             }));
         }
     }
@@ -284,6 +286,22 @@ impl Chunk {
     /// What a tile has to do in this chunk, in order.
     pub fn tile(&self, index: usize) -> &[Entry] {
         &self.entries[self.starts[index] as usize..self.starts[index + 1] as usize]
+    }
+}
+
+/// The vertices of a triangle for the Vérité's set-up.
+#[inline(always)]
+fn verite<'a>(
+    arena: &'a Arena,
+    command: &Command,
+) -> Option<([&'a VeriteVertex; 3], Option<[&'a VeriteExtra; 3]>)> {
+    match *command {
+        Command::Verite { vertices, .. } => Some((arena.verites.get(vertices).each_ref(), None)),
+        Command::VeriteExtended { vertices, .. } => {
+            let [a, b, c] = arena.extended_verites.get(vertices);
+            Some(([&a.0, &b.0, &c.0], Some([&a.1, &b.1, &c.1])))
+        }
+        _ => None,
     }
 }
 

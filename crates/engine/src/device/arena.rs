@@ -6,7 +6,9 @@ use rustc_hash::FxHashMap;
 
 use super::ClearValues;
 use crate::kernel::Pipeline;
-use crate::setup::{Cull, PalettePrimitive, RawPrimitive, Registers, Screen, VeriteVertex, Vertex};
+use crate::setup::{
+    Cull, PalettePrimitive, RawPrimitive, Registers, Screen, VeriteExtra, VeriteVertex, Vertex,
+};
 use crate::state::{DrawState, MAX_TMUS, Origin, PaletteDraw, RawDraw, Rect};
 use crate::target::{PixelFormat, Surface};
 use crate::texture::Texture;
@@ -18,6 +20,8 @@ pub(crate) enum Command {
     Triangle { vertices: u32, cull: Cull, state: u32 },
     /// Vertices for the Vérité's set-up.
     Verite { vertices: u32, state: u32 },
+    /// The same with extras.
+    VeriteExtended { vertices: u32, state: u32 },
     /// Registers to launch.
     Launch { registers: u32, state: u32 },
     /// A primitive of the Quark profile.
@@ -211,11 +215,6 @@ impl<V: Default> Corners<V> {
     pub fn get(&self, index: u32) -> &[V; 3] {
         &self.list[index as usize]
     }
-
-    /// Whether there are none.
-    pub fn is_empty(&self) -> bool {
-        self.used == 0
-    }
 }
 
 /// Commands and their payloads, in submission order.
@@ -224,6 +223,7 @@ pub(crate) struct Arena {
     pub commands: Vec<Command>,
     pub vertices: Corners<Vertex>,
     pub verites: Corners<VeriteVertex>,
+    pub extended_verites: Corners<(VeriteVertex, VeriteExtra)>,
     pub registers: Vec<Registers>,
     pub clears: Vec<Clear>,
     pub runs: Vec<Run>,
@@ -242,6 +242,16 @@ pub(super) const MAX_STATES: usize = 1 << 12;
 const MAX_PIXELS: usize = 1 << 20;
 
 impl Arena {
+    /// Whether triangles wait for the SST-1's set-up.
+    pub fn has_triangles(&self) -> bool {
+        self.vertices.used > 0
+    }
+
+    /// Whether triangles wait for the Vérité's set-up.
+    pub fn has_verites(&self) -> bool {
+        self.verites.used + self.extended_verites.used > 0
+    }
+
     /// Whether it should be drawn before more is added.
     #[inline]
     pub fn is_full(&self) -> bool {
@@ -256,6 +266,7 @@ impl Arena {
         self.commands.clear();
         self.vertices.used = 0;
         self.verites.used = 0;
+        self.extended_verites.used = 0;
         self.registers.clear();
         self.primitives.clear();
         self.raw_primitives.clear();

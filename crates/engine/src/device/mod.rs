@@ -19,7 +19,8 @@ use crate::crew::Crew;
 use crate::error::EngineError;
 use crate::kernel::Pipeline;
 use crate::setup::{
-    Cull, MAX_SCALE, Outcome, Registers, VeriteVertex, Vertex, VertexExtra, extended_triangle,
+    Cull, MAX_SCALE, Outcome, Registers, VeriteExtra, VeriteVertex, Vertex, VertexExtra,
+    extended_triangle,
 };
 use crate::state::{Dither, DrawState, MAX_TMUS, Origin, Rect};
 use crate::stats::{Counters, FlushStats};
@@ -270,15 +271,28 @@ impl Device {
         }
     }
 
-    /// Draws a triangle by the current state, later, set up as the Vérité's. Texture
-    /// units after the first get zeros. `write` writes the corners where they are
-    /// kept; until then they hold those of another triangle.
+    /// Draws a triangle by the current state, later, set up as the Vérité's. `write`
+    /// writes the corners where they are kept; until then they hold those of
+    /// another triangle. What the state reads besides is 0.
     #[inline(always)]
     pub fn draw_verite(&mut self, write: impl FnOnce(&mut [VeriteVertex; 3])) {
         let Some(state) = self.use_state() else { return };
         let (vertices, place) = self.arena.verites.next();
         write(place);
         self.arena.commands.push(Command::Verite { vertices, state });
+    }
+
+    /// The same with what the state reads besides. Texture units after the first
+    /// get zeros.
+    #[inline(always)]
+    pub fn draw_verite_extended(
+        &mut self,
+        write: impl FnOnce(&mut [(VeriteVertex, VeriteExtra); 3]),
+    ) {
+        let Some(state) = self.use_state() else { return };
+        let (vertices, place) = self.arena.extended_verites.next();
+        write(place);
+        self.arena.commands.push(Command::VeriteExtended { vertices, state });
     }
 
     /// Draws a triangle that was set up elsewhere, later. Of its coordinates

@@ -6,7 +6,8 @@ use super::launch::{GROUP, Launch, NARROW, Params, Z};
 use super::{Param, Registers};
 use crate::state::MAX_TMUS;
 
-/// A vertex of the Vérité's set-up, in screen space. It fills a cache line.
+/// A vertex of the Vérité's set-up, in screen space. It is small, because a batch
+/// of them stays in the cache then.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct VeriteVertex {
@@ -14,16 +15,26 @@ pub struct VeriteVertex {
     pub color: [i32; 4],
     /// Depth, 21.11.
     pub z: i32,
-    /// Red, green and blue of the second colour and what fog leaves of the
-    /// colour, 12.12; for draw states that read them: see [`Registers::specular`].
-    pub specular: [i32; 4],
     /// Column in sixteenths of a pixel.
     pub x: i16,
     /// Row in sixteenths, in drawing coordinates.
     pub y: i16,
+}
+
+/// What a vertex has besides a [`VeriteVertex`], for draw states that read it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct VeriteExtra {
+    /// Red, green and blue of the second colour and what fog leaves of the
+    /// colour, 12.12: see [`Registers::specular`].
+    pub specular: [i32; 4],
     /// s/w, t/w and 1/w of the first texture unit, 32 fraction bits.
     pub texel: [f64; 3],
 }
+
+/// Three of each.
+pub(crate) type Vertices<'a> = [&'a VeriteVertex; 3];
+pub(crate) type Extras<'a> = [&'a VeriteExtra; 3];
 
 /// Differences of three places from one to the next.
 #[inline(always)]
@@ -103,8 +114,8 @@ pub(crate) struct VeriteSorted {
 
 impl VeriteSorted {
     #[inline(always)]
-    pub fn new(vertices: &[VeriteVertex; 3]) -> VeriteSorted {
-        let area = area(differences(vertices.map(|v| place(&v))));
+    pub fn new(vertices: Vertices<'_>) -> VeriteSorted {
+        let area = area(differences(vertices.map(place)));
         let [a, b, c] = vertices.map(|v| v.y);
         let bit = |on: bool, at: u32| usize::from(on) << at;
         let (order, odd) = ORDERS[bit(a > b, 2) | bit(b > c, 1) | bit(a > c, 0)];
@@ -113,8 +124,8 @@ impl VeriteSorted {
     }
 
     #[inline(always)]
-    fn slopes(&self, vertices: &[VeriteVertex; 3]) -> VeriteSlopes {
-        VeriteSlopes::divided(differences(vertices.map(|v| place(&v))), self.scale)
+    fn slopes(&self, vertices: Vertices<'_>) -> VeriteSlopes {
+        VeriteSlopes::divided(differences(vertices.map(place)), self.scale)
     }
 }
 
@@ -126,15 +137,18 @@ fn place(v: &VeriteVertex) -> [i32; 2] {
 /// Sets a triangle up, by name; `None` where it has no area. All steps are
 /// truncated toward zero and kept within their registers, but for those of z, of
 /// which the low bits are kept.
-pub fn verite_triangle(vertices: &[VeriteVertex; 3]) -> Option<Registers> {
+pub fn verite_triangle(
+    vertices: [&VeriteVertex; 3],
+    extras: [&VeriteExtra; 3],
+) -> Option<Registers> {
     let sorted = VeriteSorted::new(vertices);
     if !sorted.drawn {
         return None;
     }
     let mut launch = Launch::default();
-    set_up_verite(vertices, &sorted, 1, &mut launch);
+    set_up_verite(vertices, Some(extras), &sorted, 1, &mut launch);
     let mut registers = launch.registers(1);
-    let second = verite_extra(vertices, &sorted).colors;
+    let second = verite_extra(vertices, Some(extras), &sorted).colors;
     registers.specular = [0, 1, 2, 3].map(|lane| Param {
         start: second.start[SPECULAR + lane],
         dx: second.dx[SPECULAR + lane],
@@ -144,29 +158,34 @@ pub fn verite_triangle(vertices: &[VeriteVertex; 3]) -> Option<Registers> {
 }
 
 /// [`verite_triangle`] into lanes, of corners that have an area. `units` is how
-/// many texture units need coordinates; those after the first get zeros.
+/// many texture units need coordinates; those that have none get zeros.
 #[inline(always)]
 pub(crate) fn set_up_verite(
-    vertices: &[VeriteVertex; 3],
+    vertices: Vertices<'_>,
+    extras: Option<Extras<'_>>,
     sorted: &VeriteSorted,
     units: usize,
     out: &mut Launch,
 ) {
     let slopes = sorted.slopes(vertices);
-    let [first, second, third] = sorted.order.map(|i| &vertices[usize::from(i)]);
+    let order = sorted.order.map(usize::from);
+    let sorted_vertices = order.map(|i| vertices[i]);
     out.negative = sorted.negative;
-    out.x = [first, second, third].map(|v| i32::from(v.x));
-    out.y = [first, second, third].map(|v| i32::from(v.y));
-    let narrow =
-        [narrow_lanes(&vertices[0]), narrow_lanes(&vertices[1]), narrow_lanes(&vertices[2])];
-    let [dx, dy] = slopes.steps(narrow.each_ref());
-    out.narrow =
-        Params { start: narrow_starts(first), dx: narrow_steps(&dx), dy: narrow_steps(&dy) };
+    out.x = sorted_vertices.map(|v| i32::from(v.x));
+    out.y = sorted_vertices.map(|v| i32::from(v.y));
+    let [first, ..] = sorted_vertices;
+    let colors = vertices.map(|v| v.color.map(f64::from));
+    put_steps(&mut out.narrow, 0, first.color, slopes.steps(colors.each_ref()));
+    let [[dx], [dy]] = slopes.steps(vertices.map(|v| [f64::from(v.z)]).each_ref());
+    // 21.11 in iterators of 20.12.
+    out.narrow.start[Z] = first.z << 1;
+    out.narrow.dx[Z] = ((dx as i64) << 1) as i32;
+    out.narrow.dy[Z] = ((dy as i64) << 1) as i32;
     out.wide[0].clear();
-    if units > 0 {
-        let wide = [wide_lanes(&vertices[0]), wide_lanes(&vertices[1]), wide_lanes(&vertices[2])];
+    if let (Some(extras), true) = (extras, units > 0) {
+        let wide = extras.map(wide_lanes);
         let [dx, dy] = slopes.steps(wide.each_ref());
-        out.wide[0].truncate([wide_lanes(first), dx, dy]);
+        out.wide[0].truncate([wide[order[0]], dx, dy]);
     }
     for out in &mut out.wide[1..units.clamp(1, MAX_TMUS)] {
         out.clear();
@@ -175,52 +194,38 @@ pub(crate) fn set_up_verite(
 
 /// The second colour and the fog factor.
 #[inline(always)]
-pub(crate) fn verite_extra(vertices: &[VeriteVertex; 3], sorted: &VeriteSorted) -> Extra {
-    let values = vertices.map(|v| v.specular.map(f64::from));
-    let [dx, dy] = sorted.slopes(vertices).steps(values.each_ref());
-    let first = &vertices[usize::from(sorted.order[0])];
-    let mut extra = Extra::default();
-    for lane in 0..first.specular.len() {
-        extra.colors.start[SPECULAR + lane] = first.specular[lane];
-        extra.colors.dx[SPECULAR + lane] = dx[lane] as i32;
-        extra.colors.dy[SPECULAR + lane] = dy[lane] as i32;
+pub(crate) fn verite_extra(
+    vertices: Vertices<'_>,
+    extras: Option<Extras<'_>>,
+    sorted: &VeriteSorted,
+) -> Extra {
+    let mut out = Extra::default();
+    if let Some(extras) = extras {
+        let values = extras.map(|extra| extra.specular.map(f64::from));
+        let steps = sorted.slopes(vertices).steps(values.each_ref());
+        let first = extras[usize::from(sorted.order[0])];
+        put_steps(&mut out.colors, SPECULAR, first.specular, steps);
     }
-    extra
-}
-
-/// Colours, z and, without meaning here, what follows them in a vertex, so that
-/// one load serves.
-#[inline(always)]
-fn narrow_words(v: &VeriteVertex) -> [i32; NARROW] {
-    let ([r, g, b, a], [sr, sg, sb, _]) = (v.color, v.specular);
-    [r, g, b, a, v.z, sr, sg, sb]
-}
-
-#[inline(always)]
-fn narrow_lanes(v: &VeriteVertex) -> [f64; NARROW] {
-    narrow_words(v).map(f64::from)
-}
-
-/// The iterators' first values: z is 20.12 there.
-#[inline(always)]
-fn narrow_starts(v: &VeriteVertex) -> [i32; NARROW] {
-    let mut out = narrow_words(v);
-    out[Z] <<= 1;
     out
 }
 
-/// Steps of the iterators.
+/// Puts four parameters into the lanes from `first` on, steps truncated.
 #[inline(always)]
-fn narrow_steps(values: &[f64; NARROW]) -> [i32; NARROW] {
-    let mut out = values.map(|value| value as i32);
-    out[Z] = ((values[Z] as i64) << 1) as i32;
-    out
+fn put_steps(
+    to: &mut Params<[i32; NARROW]>,
+    first: usize,
+    start: [i32; 4],
+    [dx, dy]: [[f64; 4]; 2],
+) {
+    to.start[first..first + 4].copy_from_slice(&start);
+    to.dx[first..first + 4].copy_from_slice(&dx.map(|step| step as i32));
+    to.dy[first..first + 4].copy_from_slice(&dy.map(|step| step as i32));
 }
 
 /// The first unit's group of 64-bit parameters; see [`Launch`].
 #[inline(always)]
-fn wide_lanes(v: &VeriteVertex) -> [f64; GROUP] {
-    let [s, t, w] = v.texel;
+fn wide_lanes(extra: &VeriteExtra) -> [f64; GROUP] {
+    let [s, t, w] = extra.texel;
     [0.0, s, t, w]
 }
 
@@ -232,13 +237,17 @@ mod tests {
         VeriteVertex { x: x * 16, y: y * 16, color: [red, 0, 0, 0], ..VeriteVertex::default() }
     }
 
+    fn set_up(corners: &[VeriteVertex; 3]) -> Option<Registers> {
+        verite_triangle(corners.each_ref(), [&VeriteExtra::default(); 3])
+    }
+
     #[test]
     fn steps_are_per_pixel() {
         let corners = [corner(10, 10, 0), corner(20, 10, 4096 * 10), corner(10, 30, 4096)];
-        let registers = verite_triangle(&corners).unwrap();
+        let registers = set_up(&corners).unwrap();
         assert_eq!(registers.color[0], Param { start: 0, dx: 4096, dy: 204 });
         assert_eq!((registers.x, registers.y), ([160, 320, 160], [160, 160, 480]));
-        assert_eq!(verite_triangle(&[corners[0], corners[0], corners[1]]), None);
+        assert_eq!(set_up(&[corners[0], corners[0], corners[1]]), None);
     }
 
     /// Equal rows keep their order, and the sign is that of the sorted corners.
@@ -247,7 +256,7 @@ mod tests {
         for ys in 0..27 {
             let y = [ys % 3, ys / 3 % 3, ys / 9];
             let corners = [0, 1, 2].map(|i| corner([0, 7, 3][i], y[i], 0));
-            let Some(registers) = verite_triangle(&corners) else { continue };
+            let Some(registers) = set_up(&corners) else { continue };
             let mut places = corners.map(|v| [i32::from(v.x), i32::from(v.y)]);
             places.sort_by_key(|place| place[1]);
             assert_eq!(registers.x, places.map(|place| place[0]));

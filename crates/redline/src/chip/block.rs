@@ -195,9 +195,7 @@ impl VeriteChip {
         let place = |x: u32, at: u32| (x as i32 - at as i32) * 16;
         let own = corners(part, |x, y| {
             let texel = [f64::from(x - part.x0) * ONE, f64::from(y - part.y0) * ONE, ONE];
-            let mut own = attributes.corner([place(x, at[0]), place(y, at[1])], [0, 0]);
-            own.vertex.texel = texel;
-            own
+            attributes.corner([place(x, at[0]), place(y, at[1])], [0, 0]).with_texel(texel)
         });
         let under = corners(part, |x, y| {
             let uv = uv.map_or([0, 0], |uv| across(extent, uv, x, y));

@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use fillrate_engine::state::{DrawState, Filter, MAX_TMUS, Rect};
-use fillrate_engine::{Texture, VeriteVertex};
+use fillrate_engine::{Texture, VeriteExtra, VeriteVertex};
 
 use super::VeriteChip;
 use super::area::Area;
@@ -132,6 +132,13 @@ pub(super) trait Corners {
     fn read(&self, attributes: &Attributes) -> [Corner; 3];
     /// As the engine takes them, at their places.
     fn read_to(&self, attributes: &Attributes, at: [[i32; 2]; 3], to: &mut [VeriteVertex; 3]);
+    /// The same with what some states read.
+    fn read_extended_to(
+        &self,
+        attributes: &Attributes,
+        at: [[i32; 2]; 3],
+        to: &mut [(VeriteVertex, VeriteExtra); 3],
+    );
 }
 
 impl Corners for [Corner; 3] {
@@ -145,6 +152,15 @@ impl Corners for [Corner; 3] {
 
     fn read_to(&self, _: &Attributes, _: [[i32; 2]; 3], to: &mut [VeriteVertex; 3]) {
         *to = self.each_ref().map(|corner| corner.vertex);
+    }
+
+    fn read_extended_to(
+        &self,
+        _: &Attributes,
+        _: [[i32; 2]; 3],
+        to: &mut [(VeriteVertex, VeriteExtra); 3],
+    ) {
+        *to = self.each_ref().map(|corner| (corner.vertex, corner.extra));
     }
 }
 
@@ -172,10 +188,24 @@ impl Corners for Words<'_> {
 
     #[inline(always)]
     fn read_to(&self, attributes: &Attributes, at: [[i32; 2]; 3], to: &mut [VeriteVertex; 3]) {
-        let ([to_a, to_b, to_c], Words { layout, textured, .. }) = (to, *self);
-        attributes.read_to(layout, self.a, textured, at[0], to_a);
-        attributes.read_to(layout, self.b, textured, at[1], to_b);
-        attributes.read_to(layout, self.c, textured, at[2], to_c);
+        let [to_a, to_b, to_c] = to;
+        attributes.read_to(self.layout, self.a, at[0], to_a);
+        attributes.read_to(self.layout, self.b, at[1], to_b);
+        attributes.read_to(self.layout, self.c, at[2], to_c);
+    }
+
+    #[inline]
+    fn read_extended_to(
+        &self,
+        attributes: &Attributes,
+        at: [[i32; 2]; 3],
+        to: &mut [(VeriteVertex, VeriteExtra); 3],
+    ) {
+        let words = [self.a, self.b, self.c];
+        for (((vertex, extra), words), at) in to.iter_mut().zip(words).zip(at) {
+            attributes.read_to(self.layout, words, at, vertex);
+            attributes.read_extra_to(self.layout, words, self.textured, extra);
+        }
     }
 }
 
@@ -437,14 +467,19 @@ impl VeriteChip {
             return self.launch_anyhow(mode, &corners.read(attributes), &drawn);
         }
         self.targets.drawn(&drawn, prepared.depth);
-        self.targets.engine.draw_verite(|to| corners.read_to(attributes, places, to));
+        let engine = &mut self.targets.engine;
+        if mode.textured() || attributes.extended {
+            engine.draw_verite_extended(|to| corners.read_extended_to(attributes, places, to));
+        } else {
+            engine.draw_verite(|to| corners.read_to(attributes, places, to));
+        }
     }
 
     /// The same where the engine has to be set to the window and the mode, where
     /// the window or the texture begins elsewhere, or where corners lie far away.
     #[inline(never)]
     fn launch_anyhow(&mut self, mode: Mode, corners: &[Corner; 3], drawn: &Rect) {
-        let texels = corners.each_ref().map(|corner| corner.vertex.texel);
+        let texels = corners.each_ref().map(|corner| corner.extra.texel);
         let Some((at, first_texel)) = self.begin(mode, &texels, drawn) else { return };
         let engine = &mut self.targets.engine;
         let corners = corners.each_ref().map(|corner| match first_texel {
@@ -452,7 +487,9 @@ impl VeriteChip {
             None => corner.moved(at),
         });
         if Extent::new(corners.each_ref().map(|corner| corner.place)).is_near() {
-            return engine.draw_verite(|place| *place = corners.map(|corner| corner.vertex));
+            return engine.draw_verite_extended(|to| {
+                *to = corners.map(|corner| (corner.vertex, corner.extra));
+            });
         }
         let [a, b, c] = &corners;
         setup::parts([a, b, c]).iter().for_each(|registers| engine.launch(registers));
@@ -603,9 +640,9 @@ impl VeriteChip {
             let [x, y] = [place >> 16, place & 0xffff].map(|v| i32::from(v as u16 as i16) * 16);
             let [width, height] = [size >> 16, size & 0xffff].map(|v| v as i32 * 16);
             let layout = VertexType::KXYZ.layout();
-            let Corner { vertex, .. } = prepared.attributes.read(layout, &[color, 0, 0, z], false);
+            let corner = prepared.attributes.read(layout, &[color, 0, 0, z], false);
             let place = |[i, j]: [usize; 2]| [x + [0, width][i], y + [0, height][j]];
-            let corners = UPPER_LEFT_FIRST.map(|at| Corner::new(place(at), &vertex));
+            let corners = UPPER_LEFT_FIRST.map(|at| corner.at(place(at)));
             self.halves(Mode::Flat, &corners);
         }
     }

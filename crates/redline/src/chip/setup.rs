@@ -8,7 +8,7 @@
 
 use fillrate_engine::setup::{VeriteSlopes, verite_triangle};
 use fillrate_engine::state::Rect;
-use fillrate_engine::{Param, Registers, VeriteVertex, WideParam};
+use fillrate_engine::{Param, Registers, VeriteExtra, VeriteVertex, WideParam};
 
 use super::state::State;
 use crate::opcode::Register;
@@ -18,7 +18,7 @@ use crate::vertex::{Attribute, Layout};
 const NARROW: usize = 9;
 /// Index of alpha among them.
 pub(crate) const ALPHA: usize = 3;
-/// Index of fog in [`VeriteVertex::specular`].
+/// Index of fog in [`VeriteExtra::specular`].
 const FOG: usize = 3;
 /// Index of z among them.
 const Z: usize = 4;
@@ -36,26 +36,31 @@ pub(crate) struct Corner {
     pub place: [i32; 2],
     /// As the engine takes it; its place counts within [`LIMIT`].
     pub vertex: VeriteVertex,
+    /// What states may read besides.
+    pub extra: VeriteExtra,
 }
 
 impl Corner {
-    /// What `vertex` has, at a place.
-    pub fn new(place: [i32; 2], vertex: &VeriteVertex) -> Corner {
-        let mut vertex = *vertex;
-        put(place, &mut vertex);
-        Corner { place, vertex }
+    /// The same corner at another place.
+    pub fn at(&self, place: [i32; 2]) -> Corner {
+        let mut corner = Corner { place, ..*self };
+        put(place, &mut corner.vertex);
+        corner
     }
 
     /// The same corner where pixel `at` is the first one.
     pub fn moved(&self, [x, y]: [u32; 2]) -> Corner {
-        let place = [self.place[0] - (x << 4) as i32, self.place[1] - (y << 4) as i32];
-        Corner::new(place, &self.vertex)
+        self.at([self.place[0] - (x << 4) as i32, self.place[1] - (y << 4) as i32])
     }
 
     /// The same corner of a texture that begins with another texel.
     pub fn from_texel(&self, at: [f64; 2]) -> Corner {
-        let texel = texel_from(self.vertex.texel, at);
-        Corner { vertex: VeriteVertex { texel, ..self.vertex }, ..*self }
+        self.with_texel(texel_from(self.extra.texel, at))
+    }
+
+    /// The same corner with another texel.
+    pub fn with_texel(&self, texel: [f64; 3]) -> Corner {
+        Corner { extra: VeriteExtra { texel, ..self.extra }, ..*self }
     }
 }
 
@@ -80,10 +85,10 @@ pub(crate) struct Values {
 }
 
 impl From<&Corner> for Values {
-    fn from(Corner { vertex, .. }: &Corner) -> Values {
-        let ([r, g, b, a], [sr, sg, sb, fog]) = (vertex.color, vertex.specular);
+    fn from(Corner { vertex, extra, .. }: &Corner) -> Values {
+        let ([r, g, b, a], [sr, sg, sb, fog]) = (vertex.color, extra.specular);
         let narrow = [r, g, b, a, vertex.z, sr, sg, sb, fog].map(f64::from);
-        Values { narrow, texel: vertex.texel }
+        Values { narrow, texel: extra.texel }
     }
 }
 
@@ -108,8 +113,8 @@ impl Values {
 /// what becomes of texture coordinates.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Attributes {
-    /// Whose place and texel mean nothing.
-    defaults: VeriteVertex,
+    /// Default attributes; place and texel mean nothing.
+    defaults: Corner,
     /// Default U and V.
     coordinates: [u32; 2],
     multipliers: [f64; 2],
@@ -173,7 +178,11 @@ impl Attributes {
         let multiplier = |register| f64::from(get(register)) / 65536.0;
         let (color, z) = ([r, g, b, a], depth(get(Register::Z)));
         Attributes {
-            defaults: VeriteVertex { color, z, specular, ..VeriteVertex::default() },
+            defaults: Corner {
+                vertex: VeriteVertex { color, z, ..VeriteVertex::default() },
+                extra: VeriteExtra { specular, ..VeriteExtra::default() },
+                ..Corner::default()
+            },
             coordinates: [get(Register::U), get(Register::V)],
             multipliers: [multiplier(Register::UMultiplier), multiplier(Register::VMultiplier)],
             offsets: [offset(Register::SOffset), offset(Register::TOffset)],
@@ -184,8 +193,7 @@ impl Attributes {
 
     /// A vertex of the default attributes at a place, in sixteenths.
     pub fn corner(&self, place: [i32; 2], [u, v]: [u32; 2]) -> Corner {
-        let texel = self.texel(u, v, ONE);
-        Corner::new(place, &VeriteVertex { texel, ..self.defaults })
+        self.defaults.at(place).with_texel(self.texel(u, v, ONE))
     }
 
     /// Column and row times Q, and Q; `q` has 32 fraction bits.
@@ -200,24 +208,19 @@ impl Attributes {
 
     /// Reads a vertex; `textured` where its coordinates are needed.
     pub fn read(&self, layout: &Layout, words: &[u32], textured: bool) -> Corner {
-        let (place, mut vertex) = (place(layout, words), self.defaults);
-        self.read_to(layout, words, textured, place, &mut vertex);
-        Corner { place, vertex }
+        let place = place(layout, words);
+        let Corner { mut vertex, mut extra, .. } = self.defaults;
+        self.read_to(layout, words, place, &mut vertex);
+        self.read_extra_to(layout, words, textured, &mut extra);
+        Corner { place, vertex, extra }
     }
 
-    /// The same to where it is kept, and no more of it than the state reads, which
-    /// is faster than making it and moving it there.
+    /// What a vertex has for every state, to where it is kept: faster than making
+    /// it and moving it there.
     #[inline(always)]
-    pub fn read_to(
-        &self,
-        layout: &Layout,
-        words: &[u32],
-        textured: bool,
-        place: [i32; 2],
-        to: &mut VeriteVertex,
-    ) {
+    pub fn read_to(&self, layout: &Layout, words: &[u32], place: [i32; 2], to: &mut VeriteVertex) {
         let get = |attribute| layout.get(words, attribute);
-        let VeriteVertex { mut color, z, .. } = self.defaults;
+        let VeriteVertex { mut color, z, .. } = self.defaults.vertex;
         put(place, to);
         to.z = get(Attribute::Z).map_or(z, depth);
         if let Some(k) = get(Attribute::K) {
@@ -235,6 +238,18 @@ impl Attributes {
         if let Some(a) = get(Attribute::A) {
             to.color[ALPHA] = channel(a);
         }
+    }
+
+    /// What it has besides.
+    #[inline]
+    pub fn read_extra_to(
+        &self,
+        layout: &Layout,
+        words: &[u32],
+        textured: bool,
+        to: &mut VeriteExtra,
+    ) {
+        *to = self.defaults.extra;
         if self.extended {
             to.specular = self.read_extended(layout, words);
         }
@@ -245,7 +260,7 @@ impl Attributes {
 
     #[inline(never)]
     fn read_extended(&self, layout: &Layout, words: &[u32]) -> [i32; 4] {
-        let mut specular = self.defaults.specular;
+        let mut specular = self.defaults.extra.specular;
         if let Some(s) = layout.get(words, Attribute::S) {
             specular = packed_with(s, specular[FOG]);
         } else if let Some(sf) = layout.get(words, Attribute::Sf) {
@@ -396,7 +411,8 @@ fn twice_area(places: &[[i32; 2]; 3]) -> i64 {
 pub(crate) fn parts(corners: [&Corner; 3]) -> Vec<Registers> {
     let places = corners.map(|corner| corner.place);
     if Extent::new(places).is_near() {
-        return verite_triangle(&corners.map(|corner| corner.vertex)).into_iter().collect();
+        let (vertices, extras) = (corners.map(|c| &c.vertex), corners.map(|c| &c.extra));
+        return verite_triangle(vertices, extras).into_iter().collect();
     }
     let Some(planes) = Planes::new(corners) else { return Vec::new() };
     let polygon = clipped(places);
@@ -446,7 +462,7 @@ mod tests {
 
     fn corner(x: i32, y: i32, red: i32) -> Corner {
         let vertex = VeriteVertex { color: [red, 0, 0, 0], ..VeriteVertex::default() };
-        Corner::new([x * 16, y * 16], &vertex)
+        Corner { vertex, ..Corner::default() }.at([x * 16, y * 16])
     }
 
     #[test]
