@@ -190,9 +190,11 @@ impl Canvas for DeviceCanvas {
     }
 
     fn verite(&mut self, corners: &[(VeriteVertex, VeriteExtra); 3]) {
-        match corners.iter().all(|corner| corner.1 == VeriteExtra::default()) {
-            true => self.device.draw_verite(|to| *to = corners.map(|corner| corner.0)),
-            false => self.device.draw_verite_extended(|to| *to = *corners),
+        if corners.iter().any(|corner| corner.1 != VeriteExtra::default()) {
+            *self.device.draw_verite_extended().expect("the canvas is a target") = *corners;
+        } else {
+            let vertices = corners.map(|corner| corner.0);
+            *self.device.draw_verite().expect("the canvas is a target") = vertices;
         }
     }
 

@@ -147,9 +147,10 @@ impl<'a> Commands<'a> {
         word.ok_or(StreamErrorKind::Incomplete { needed, left })
     }
 
-    /// The next command where it begins as the triangle before did.
+    /// The type and the words of the next command's vertices, where it begins as
+    /// the triangle before did.
     #[inline(always)]
-    fn next_alike(&mut self) -> Option<Command<'a>> {
+    pub(crate) fn next_alike(&mut self) -> Option<(VertexType, &'a [u32])> {
         let Triangle { first, vertex, words } = self.last?;
         let (at, end) = (self.at + 1, self.at + 1 + words as usize);
         if *self.words.get(self.at)? != first {
@@ -157,7 +158,7 @@ impl<'a> Commands<'a> {
         }
         let vertices = self.words.get(at..end)?;
         self.at = end;
-        Some(Command::Draw { opcode: Opcode::Triangle, vertex, head: &[], vertices })
+        Some((vertex, vertices))
     }
 
     #[inline(never)]
@@ -331,7 +332,10 @@ impl<'a> Iterator for Commands<'a> {
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {
         match self.next_alike() {
-            Some(command) => Some(Ok(command)),
+            Some((vertex, vertices)) => {
+                let (opcode, head) = (Opcode::Triangle, &[][..]);
+                Some(Ok(Command::Draw { opcode, vertex, head, vertices }))
+            }
             None => self.next_other(),
         }
     }

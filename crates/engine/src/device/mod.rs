@@ -271,28 +271,27 @@ impl Device {
         }
     }
 
-    /// Draws a triangle by the current state, later, set up as the Vérité's. `write`
-    /// writes the corners where they are kept; until then they hold those of
-    /// another triangle. What the state reads besides is 0.
+    /// Draws a triangle by the current state, later, set up as the Vérité's. What
+    /// the state reads besides is 0. The caller writes the corners where they are
+    /// kept; until then they are those of another triangle. `None` without a target.
     #[inline(always)]
-    pub fn draw_verite(&mut self, write: impl FnOnce(&mut [VeriteVertex; 3])) {
-        let Some(state) = self.use_state() else { return };
-        let (vertices, place) = self.arena.verites.next();
-        write(place);
-        self.arena.commands.push(Command::Verite { vertices, state });
+    pub fn draw_verite(&mut self) -> Option<&mut [VeriteVertex; 3]> {
+        let state = self.use_state()?;
+        let Arena { commands, verites, .. } = &mut self.arena;
+        let (vertices, place) = verites.next();
+        commands.push(Command::Verite { vertices, state });
+        Some(place)
     }
 
     /// The same with what the state reads besides. Texture units after the first
     /// get zeros.
     #[inline(always)]
-    pub fn draw_verite_extended(
-        &mut self,
-        write: impl FnOnce(&mut [(VeriteVertex, VeriteExtra); 3]),
-    ) {
-        let Some(state) = self.use_state() else { return };
-        let (vertices, place) = self.arena.extended_verites.next();
-        write(place);
-        self.arena.commands.push(Command::VeriteExtended { vertices, state });
+    pub fn draw_verite_extended(&mut self) -> Option<&mut [(VeriteVertex, VeriteExtra); 3]> {
+        let state = self.use_state()?;
+        let Arena { commands, extended_verites, .. } = &mut self.arena;
+        let (vertices, place) = extended_verites.next();
+        commands.push(Command::VeriteExtended { vertices, state });
+        Some(place)
     }
 
     /// Draws a triangle that was set up elsewhere, later. Of its coordinates

@@ -305,6 +305,12 @@ impl VeriteChip {
         }
     }
 
+    /// Whether what is drawn next as before needs one window.
+    #[inline]
+    pub(super) fn is_in_one_window(&self) -> bool {
+        self.prepared.as_ref().is_some_and(|prepared| prepared.is_one)
+    }
+
     /// Draws a command in each window of the destination.
     #[inline]
     pub(super) fn in_windows(&mut self, draw: impl Fn(&mut VeriteChip)) {
@@ -469,9 +475,11 @@ impl VeriteChip {
         self.targets.drawn(&drawn, prepared.depth);
         let engine = &mut self.targets.engine;
         if mode.textured() || attributes.extended {
-            engine.draw_verite_extended(|to| corners.read_extended_to(attributes, places, to));
+            let Some(to) = engine.draw_verite_extended() else { return };
+            corners.read_extended_to(attributes, places, to);
         } else {
-            engine.draw_verite(|to| corners.read_to(attributes, places, to));
+            let Some(to) = engine.draw_verite() else { return };
+            corners.read_to(attributes, places, to);
         }
     }
 
@@ -487,9 +495,9 @@ impl VeriteChip {
             None => corner.moved(at),
         });
         if Extent::new(corners.each_ref().map(|corner| corner.place)).is_near() {
-            return engine.draw_verite_extended(|to| {
-                *to = corners.map(|corner| (corner.vertex, corner.extra));
-            });
+            let Some(to) = engine.draw_verite_extended() else { return };
+            *to = corners.map(|corner| (corner.vertex, corner.extra));
+            return;
         }
         let [a, b, c] = &corners;
         setup::parts([a, b, c]).iter().for_each(|registers| engine.launch(registers));
@@ -531,8 +539,8 @@ impl VeriteChip {
     }
 
     /// Draws a triangle by the words of its corners.
-    #[inline]
-    fn triangle(&mut self, layout: &'static Layout, a: &[u32], b: &[u32], c: &[u32]) {
+    #[inline(always)]
+    pub(super) fn triangle(&mut self, layout: &'static Layout, a: &[u32], b: &[u32], c: &[u32]) {
         let Some(prepared) = self.prepare() else { return };
         let mode = prepared.mode_of(layout);
         self.launch(mode, &Words { layout, a, b, c, textured: mode.textured() });
@@ -560,18 +568,11 @@ impl VeriteChip {
         let layout = vertex.layout();
         let size = vertex.words();
         let word = |i: usize| &words[i * size..(i + 1) * size];
+        let mut triangle = |a, b, c| self.triangle(layout, word(a), word(b), word(c));
         match opcode {
-            Opcode::Triangle => self.triangle(layout, word(0), word(1), word(2)),
-            Opcode::Tristrip => {
-                for i in 2..words.len() / size {
-                    self.triangle(layout, word(i - 2), word(i - 1), word(i));
-                }
-            }
-            Opcode::Trifan => {
-                for i in 2..words.len() / size {
-                    self.triangle(layout, word(0), word(i - 1), word(i));
-                }
-            }
+            Opcode::Triangle => triangle(0, 1, 2),
+            Opcode::Tristrip => (2..words.len() / size).for_each(|i| triangle(i - 2, i - 1, i)),
+            Opcode::Trifan => (2..words.len() / size).for_each(|i| triangle(0, i - 1, i)),
             Opcode::Square => self.centered(layout, words, [head[0], head[0]]),
             Opcode::Rectangle => self.centered(layout, words, [head[0], head[1]]),
             Opcode::Dot => self.dot(layout, words),

@@ -80,6 +80,20 @@ impl VeriteChip {
         while let Some(Ok(command)) = commands.next() {
             self.command(command);
             *at = commands.position();
+            if self.is_in_one_window() {
+                self.triangles_alike(&mut commands, at);
+            }
+        }
+    }
+
+    /// Triangles that follow one of their kind. Nothing between them changes what
+    /// they mean.
+    fn triangles_alike(&mut self, commands: &mut Commands<'_>, at: &mut usize) {
+        while let Some((vertex, words)) = commands.next_alike() {
+            let (a, rest) = words.split_at(vertex.words());
+            let (b, c) = rest.split_at(vertex.words());
+            self.triangle(vertex.layout(), a, b, c);
+            *at = Commands::position(commands);
         }
     }
 
