@@ -362,13 +362,8 @@ fn difference(a: &[u16], b: &[u16]) -> f64 {
 /// Seconds of a frame, each renderer's best of rounds that take turns.
 fn measure(renderers: &mut [&mut dyn Frame], frames: usize) -> Vec<f64> {
     let mut times = vec![Vec::new(); renderers.len()];
-    let only = std::env::var("AG_ONLY").ok().and_then(|v| v.parse::<usize>().ok());
     for round in 0..ROUNDS + 1 {
-        for (i, (renderer, times)) in renderers.iter_mut().zip(&mut times).enumerate() {
-            if only.is_some_and(|only| only != i) {
-                times.push(1.0);
-                continue;
-            }
+        for (renderer, times) in renderers.iter_mut().zip(&mut times) {
             let start = Instant::now();
             (0..frames).for_each(|_| renderer.frame());
             renderer.pixels();

@@ -109,7 +109,7 @@ impl Chunk {
                     if sorted.fate == Fate::Drawn {
                         self.counters.triangles_drawn += 1;
                         set_up(arena.vertices.get(vertices), &sorted, units, &mut launch);
-                        self.launch(batch, &launch, Extra::none, state, grid);
+                        self.launch(batch, &launch, Extra::none, units.max(1), state, grid);
                     }
                 }
                 Command::Verite { state, .. } | Command::VeriteExtended { state, .. } => {
@@ -122,7 +122,8 @@ impl Chunk {
                         self.counters.triangles_drawn += 1;
                         set_up_verite(vertices, extras, &sorted, units, &mut launch);
                         let extra = || verite_extra(vertices, extras, &sorted);
-                        self.launch(batch, &launch, extra, state, grid);
+                        // There is no w of the pixel pipeline.
+                        self.launch(batch, &launch, extra, units, state, grid);
                     }
                 }
                 Command::Launch { registers, state } => {
@@ -131,7 +132,8 @@ impl Chunk {
                     let registers = &arena.registers[registers as usize];
                     let batch = &states[state as usize];
                     let extra = || Extra::from(registers);
-                    self.launch(batch, &Launch::from(registers), extra, state, grid);
+                    let groups = batch.pipeline.unit_count.max(1);
+                    self.launch(batch, &Launch::from(registers), extra, groups, state, grid);
                 }
                 Command::Palette { primitive, state } => {
                     self.counters.triangles_in += 1;
@@ -186,16 +188,17 @@ impl Chunk {
         batch: &BatchState,
         launch: &Launch,
         extra: impl FnOnce() -> Extra,
+        groups: usize,
         state: u32,
         grid: &Grid,
     ) {
-        let units = batch.pipeline.unit_count;
+        let counts = [batch.pipeline.unit_count, groups];
         let index = self.triangles.list.len() as u32;
         let screen = &batch.screen;
         let triangle = if screen.scale == 1 {
-            prepare(launch, screen, state, units, &mut self.triangles)
+            prepare(launch, screen, state, counts, &mut self.triangles)
         } else {
-            prepare(&launch.scaled(screen.scale), screen, state, units, &mut self.triangles)
+            prepare(&launch.scaled(screen.scale), screen, state, counts, &mut self.triangles)
         };
         if triangle.is_none() {
             return;
