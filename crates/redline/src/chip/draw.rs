@@ -491,7 +491,7 @@ impl VeriteChip {
         let Some((at, first_texel)) = self.begin(mode, &texels, drawn) else { return };
         let engine = &mut self.targets.engine;
         let corners = corners.each_ref().map(|corner| match first_texel {
-            Some(texel) => corner.moved(at).from_texel(texel),
+            Some(texel) => corner.moved(at).beginning_at(texel),
             None => corner.moved(at),
         });
         if Extent::new(corners.each_ref().map(|corner| corner.place)).is_near() {
@@ -534,7 +534,7 @@ impl VeriteChip {
         let drawn = Rect::new(x, y, x + 1, y + 1);
         let begun = self.begin(mode, std::slice::from_ref(&values.texel), &drawn);
         let Some(([left, top], first_texel)) = begun else { return };
-        let values = first_texel.map_or(*values, |texel| values.from_texel(texel));
+        let values = first_texel.map_or(*values, |texel| values.beginning_at(texel));
         self.targets.engine.launch(&setup::pixel(x - left, y - top, &values));
     }
 

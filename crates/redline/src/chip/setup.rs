@@ -54,8 +54,8 @@ impl Corner {
     }
 
     /// The same corner of a texture that begins with another texel.
-    pub fn from_texel(&self, at: [f64; 2]) -> Corner {
-        self.with_texel(texel_from(self.extra.texel, at))
+    pub fn beginning_at(&self, at: [f64; 2]) -> Corner {
+        self.with_texel(texel_beginning_at(self.extra.texel, at))
     }
 
     /// The same corner with another texel.
@@ -70,7 +70,7 @@ fn put([x, y]: [i32; 2], vertex: &mut VeriteVertex) {
     (vertex.x, vertex.y) = (x as i16, y as i16);
 }
 
-fn texel_from([u, v, q]: [f64; 3], [s, t]: [f64; 2]) -> [f64; 3] {
+fn texel_beginning_at([u, v, q]: [f64; 3], [s, t]: [f64; 2]) -> [f64; 3] {
     [u - s * q, v - t * q, q]
 }
 
@@ -103,9 +103,9 @@ impl Values {
         }
     }
 
-    /// See [`Corner::from_texel`].
-    pub fn from_texel(&self, at: [f64; 2]) -> Values {
-        Values { texel: texel_from(self.texel, at), ..*self }
+    /// See [`Corner::beginning_at`].
+    pub fn beginning_at(&self, at: [f64; 2]) -> Values {
+        Values { texel: texel_beginning_at(self.texel, at), ..*self }
     }
 }
 
