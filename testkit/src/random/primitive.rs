@@ -167,7 +167,7 @@ pub fn extras(rng: &mut Rng) -> [VertexExtra; 3] {
 pub fn verite_corners(rng: &mut Rng, width: u32, height: u32) -> [(VeriteVertex, VeriteExtra); 3] {
     let corners = corners(rng, width as f32, height as f32);
     let (colors, depths, texels) = (rng.below(8), rng.below(8), rng.below(8));
-    let scale = f64::from(rng.pick(&[4.0, 64.0, 256.0, 1024.0, 16384.0, 1e9]));
+    let scale = rng.pick(&[4.0, 64.0, 256.0, 1024.0, 16384.0, 1e9]);
     let color = |rng: &mut Rng| match colors {
         0 => rng.pick(&[0, 255 << 12]),
         1 => rng.word() as i32,
