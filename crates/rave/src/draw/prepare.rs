@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use fillrate_engine::Texture;
 use fillrate_engine::state::MAX_TMUS;
+use fillrate_engine::{DrawState, Texture};
 
 use crate::RaveError;
 use crate::constants::{fog, texture_op};
@@ -56,9 +56,10 @@ pub(crate) struct Prepared {
     pub opaque_alpha: bool,
     /// Nothing is left of the destination.
     pub always_opaque: bool,
-    /// The batch that the variants' indices are of.
-    pub serial: Option<u64>,
-    pub variants: Vec<(Variant, u32)>,
+    /// Tells it from all others.
+    pub serial: u64,
+    /// Draw states made so far.
+    pub variants: Vec<(Variant, DrawState)>,
 }
 
 /// Factor of 1/w where it is the depth: most of the register's 48 bits are used
@@ -66,7 +67,7 @@ pub(crate) struct Prepared {
 const DEPTH_SCALE: f32 = (1 << 14) as f32;
 
 /// What drawing needs of a context's state.
-pub(super) fn prepare(context: &mut DrawContext, objects: &mut Objects) -> Prepared {
+pub(super) fn prepare(context: &mut DrawContext, objects: &mut Objects, serial: u64) -> Prepared {
     let key = key(context);
     let mut bound = [const { None }; MAX_TMUS];
     let decoding =
@@ -119,7 +120,7 @@ pub(super) fn prepare(context: &mut DrawContext, objects: &mut Objects) -> Prepa
         fog_max_depth: state.float(float::FOG_MAX_DEPTH),
         opaque_alpha: opaque_alpha_replaces(state),
         always_opaque: always_replaces(state),
-        serial: None,
+        serial,
         variants: Vec::new(),
     }
 }
@@ -210,9 +211,18 @@ impl Prepared {
         textures
     }
 
-    /// Forgets the draw states of a kind of paint.
-    pub fn forget(&mut self, paint: Paint) {
-        self.variants.retain(|(variant, _)| variant.paint != paint);
+    /// Draws bitmaps with this one in the place of the texture, and gives back what
+    /// was there.
+    pub fn exchange_bitmap(
+        &mut self,
+        serial: u64,
+        bitmap: Option<Bound>,
+        sampled: Option<Sampled>,
+    ) -> Option<Sampled> {
+        self.serial = serial;
+        self.variants.retain(|(variant, _)| variant.paint != Paint::Bitmap);
+        self.bitmap = bitmap;
+        std::mem::replace(&mut self.around.sampled[0], sampled)
     }
 
     /// Whether a texture operation is on.

@@ -1,13 +1,11 @@
 //! Triangles.
 
-use fillrate_engine::{Vertex, VertexExtra};
-
 use super::Pen;
+use super::clip::fits;
 use super::convert::w_scale;
 use crate::RaveError;
-use crate::batch::Corner;
 use crate::constants::texture_op;
-use crate::painter::Z16_MAX;
+use crate::painter::{Corner, Z16_MAX};
 use crate::translate::{Paint, PatternUse, Variant};
 use crate::vertex::{VGouraud, VTexture};
 
@@ -24,18 +22,22 @@ impl Pen<'_> {
         let alpha_is_one = prepared.alpha_fog || v.iter().all(|v| v.a >= 1.0);
         let fog = prepared.fog_source(v.iter().all(|v| v.inv_w > 0.0));
         let is_extended = prepared.extends(fog);
-        let corners = v.map(|v| prepared.gouraud(v));
-        let extras = is_extended.then(|| v.map(|v| prepared.extra(v.z, v.inv_w, v.a)));
         let variant = Variant {
             paint: Paint::Gouraud,
             opaque: prepared.is_opaque(alpha_is_one),
             bright: false,
             fog,
-            z_overflows: z_overflows(&corners),
+            z_overflows: z_overflows(v.map(|v| [v.x, v.y, v.z])),
             pattern: PatternUse::Area,
         };
         self.choose(&variant);
-        self.add_with(corners, extras);
+        let Some(prepared) = self.context.prepared.as_deref() else { return };
+        if is_extended || !v.iter().all(|v| fits(v.x, v.y)) {
+            let extra = |v: &VGouraud| prepared.extra(v.z, v.inv_w, v.a);
+            let corners = v.map(|v| Corner { vertex: prepared.gouraud(v), extra: extra(v) });
+            return self.add(corners, is_extended);
+        }
+        self.painter.triangle(|| v.map(|v| prepared.gouraud(v)));
     }
 
     /// `QADrawTriTexture`; `at` says which of the multi-texture parameters are
@@ -51,23 +53,12 @@ impl Pen<'_> {
         let Some(bound) = &prepared.bound[0] else {
             return self.tri_without_texture(v);
         };
-        let params = &self.context.params;
-        if params[..prepared.layers].iter().any(|layer| at.iter().any(|&i| i >= layer.len())) {
+        let params = &self.context.params[..prepared.layers];
+        if params.iter().any(|layer| at.iter().any(|&i| i >= layer.len())) {
             return self.context.fail(RaveError::Parameter);
         }
         let fog = prepared.fog_source(v.iter().all(|v| v.inv_w > 0.0));
         let is_extended = prepared.extends_texture(fog);
-        let scale = w_scale([v[0].inv_w, v[1].inv_w, v[2].inv_w]);
-        let corner = |i: usize| {
-            let mut vertex = prepared.textured(v[i], bound, scale);
-            for (layer, params) in params.iter().enumerate().take(prepared.layers) {
-                let unit = prepared.layers - 1 - layer;
-                vertex.tmu[unit] = prepared.layer_coordinate(layer, &params[at[i]]);
-            }
-            vertex
-        };
-        let corners = [corner(0), corner(1), corner(2)];
-        let extras = is_extended.then(|| v.map(|v| prepared.texture_extra(v)));
         let texel_is_opaque = bound.opaque || prepared.has(texture_op::DECAL);
         let alpha_is_one = prepared.alpha_fog || v.iter().all(|v| v.a >= 1.0);
         let bright = prepared.has(texture_op::MODULATE)
@@ -77,36 +68,36 @@ impl Pen<'_> {
             opaque: prepared.is_opaque(alpha_is_one && texel_is_opaque),
             bright,
             fog,
-            z_overflows: z_overflows(&corners),
+            z_overflows: z_overflows(v.map(|v| [v.x, v.y, v.z])),
             pattern: PatternUse::Area,
         };
-        self.use_textures();
+        self.objects.usage.add(&prepared.resources);
         self.choose(&variant);
-        self.add_with(corners, extras);
-    }
-
-    /// Adds corners, with values beyond the engine's own where there are any.
-    #[inline(always)]
-    fn add_with(&mut self, corners: [Vertex; 3], extras: Option<[VertexExtra; 3]>) {
-        match extras {
-            None => self.add(corners),
-            Some(extras) => self.add_extended(core::array::from_fn(|i| Corner {
-                vertex: corners[i],
-                extra: extras[i],
-            })),
+        let context = &*self.context;
+        let Some(prepared) = context.prepared.as_deref() else { return };
+        let Some(bound) = &prepared.bound[0] else { return };
+        let params = &context.params[..prepared.layers];
+        let scale = w_scale(v.map(|v| v.inv_w));
+        let corner = |i: usize| {
+            let mut vertex = prepared.textured(v[i], bound, scale);
+            for (layer, params) in params.iter().enumerate() {
+                let unit = prepared.layers - 1 - layer;
+                vertex.tmu[unit] = prepared.layer_coordinate(layer, &params[at[i]]);
+            }
+            vertex
+        };
+        if is_extended || !v.iter().all(|v| fits(v.x, v.y)) {
+            let extra = |i: usize| prepared.texture_extra(v[i]);
+            let corners = [0, 1, 2].map(|i| Corner { vertex: corner(i), extra: extra(i) });
+            return self.add(corners, is_extended);
         }
+        self.painter.triangle(|| [corner(0), corner(1), corner(2)]);
     }
 
     /// A textured triangle while no texture is set: its diffuse colour.
     fn tri_without_texture(&mut self, v: [&VTexture; 3]) {
         let [a, b, c] = v.map(plain);
         self.tri_gouraud([&a, &b, &c]);
-    }
-
-    /// Counts a polygon for all textures that are set.
-    fn use_textures(&mut self) {
-        let Some(prepared) = self.context.prepared.as_deref() else { return };
-        self.objects.usage.add(&prepared.resources);
     }
 }
 
@@ -118,16 +109,17 @@ pub(super) fn plain(v: &VTexture) -> VGouraud {
 /// Whether fragments of a triangle may get a z outside 0..=65535: its corners
 /// are moved by a sixteenth of a pixel, its plane is not. Conservative.
 #[inline]
-fn z_overflows([a, b, c]: &[Vertex; 3]) -> bool {
-    let low = a.z.min(b.z).min(c.z);
-    let high = a.z.max(b.z).max(c.z);
+fn z_overflows([a, b, c]: [[f32; 3]; 3]) -> bool {
+    let [az, bz, cz] = [a, b, c].map(|corner| corner[2].clamp(0.0, 1.0) * Z16_MAX);
+    let low = az.min(bz).min(cz);
+    let high = az.max(bz).max(cz);
     let span = high - low;
     if span == 0.0 {
         return false;
     }
     // Where the triangle is an eighth of a pixel high at least, its plane rises
     // by less than the span in a sixteenth, to either side.
-    let (ab, ac) = ([b.x - a.x, b.y - a.y], [c.x - a.x, c.y - a.y]);
+    let (ab, ac) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
     let area = (ab[0] * ac[1] - ab[1] * ac[0]).abs();
     let length = ab[0].abs() + ab[1].abs() + ac[0].abs() + ac[1].abs();
     !(low >= span && high + span <= Z16_MAX && area * 8.0 >= length)
