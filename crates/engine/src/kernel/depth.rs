@@ -12,7 +12,7 @@ use super::block::{Block, Lanes, STAMP, Slot, Strip, put_bits};
 use super::lanes::{iterate, places, ramp_wide, wrap};
 use super::{Pass, Pipeline, Tile};
 use crate::setup::{Narrow, Plane64, Z};
-use crate::state::{AuxWrite, Compare, DepthSource};
+use crate::state::{AuxWrite, Compare, DepthSource, ZOverflow};
 
 /// The pseudo-float of a 48-bit w with 32 fraction bits: 4 exponent bits and
 /// 12 inverted mantissa bits, plus one; 0 for w of one and above or negative,
@@ -56,8 +56,26 @@ pub(super) trait DepthLanes<S: Simd> {
     fn lanes(&self, s: S, pass: &Pass<'_>, at: &Slot, j: usize) -> S::I;
 }
 
-/// Iterated z.
-pub(super) struct IteratedZ;
+/// Iterated z, 16 bits.
+pub(super) struct IteratedZ {
+    overflow: ZOverflow,
+}
+
+impl IteratedZ {
+    pub fn new(pass: &Pass<'_>) -> IteratedZ {
+        IteratedZ { overflow: pass.pipeline.state.depth.z_overflow }
+    }
+}
+
+/// Iterated z as integers of 16 bits. Those that a state rejects are limited, for
+/// what reads z before they are dropped.
+#[inline(always)]
+fn whole_z<S: Simd>(s: S, z: S::I, overflow: ZOverflow) -> S::I {
+    match overflow {
+        ZOverflow::Wrap => wrap::<S, 20, 16>(s, z.shr(12)),
+        ZOverflow::Clamp | ZOverflow::Reject => z.sar(12).max(s.splat(0)).min(s.splat(0xffff)),
+    }
+}
 
 impl<S: Simd> DepthLanes<S> for IteratedZ {
     #[inline(always)]
@@ -66,7 +84,7 @@ impl<S: Simd> DepthLanes<S> for IteratedZ {
     #[inline(always)]
     fn lanes(&self, s: S, pass: &Pass<'_>, at: &Slot, j: usize) -> S::I {
         let z = iterate(s, &pass.triangle(at).narrow, Z, places(s, at.x, at.y, j));
-        wrap::<S, 20, 16>(s, z.shr(12))
+        whole_z(s, z, self.overflow)
     }
 }
 
@@ -157,7 +175,7 @@ pub(crate) fn keep_depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
     let needs = &pass.pipeline.needs;
     let Block { slots, count, steps, z, w, .. } = block;
     if needs.keeps_z {
-        keep(s, &mut IteratedZ, &slots[..*count], pass, z);
+        keep(s, &mut IteratedZ::new(pass), &slots[..*count], pass, z);
     }
     if needs.keeps_w {
         keep(s, &mut steps.w, &slots[..*count], pass, w);
@@ -167,6 +185,7 @@ pub(crate) fn keep_depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
 /// Computes z and w where they are needed, tests and writes depth.
 #[inline(always)]
 pub(crate) fn depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
+    reject_overflow(s, block, pass, tile);
     keep_depth(s, block, pass);
     let needs = &pass.pipeline.needs;
     match pass.pipeline.state.depth.source {
@@ -176,13 +195,38 @@ pub(crate) fn depth<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mu
             let Block { live, count, slots, depth, steps, .. } = block;
             let fragments = Fragments { live, slots: &slots[..*count], depth };
             match source {
-                DepthSource::Z => test_depth(s, fragments, &mut IteratedZ, pass, tile),
+                DepthSource::Z => {
+                    test_depth(s, fragments, &mut IteratedZ::new(pass), pass, tile);
+                }
                 DepthSource::FloatW => test_depth(s, fragments, &mut steps.w, pass, tile),
                 // Those are another stage's.
                 DepthSource::DeepZ | DepthSource::DeepW => {}
             }
         }
     }
+}
+
+/// Drops the fragments whose iterated z is no 16-bit number, where the state says
+/// so.
+#[inline(always)]
+pub(super) fn reject_overflow<S: Simd>(
+    s: S,
+    block: &mut Block,
+    pass: &Pass<'_>,
+    tile: &mut Tile<'_>,
+) {
+    if !pass.pipeline.state.depth.rejects() {
+        return;
+    }
+    let mut inside = 0u64;
+    for slot in 0..block.count {
+        let at = &block.slots[slot];
+        for j in (0..STAMP).step_by(S::LANES) {
+            let z = iterate(s, &pass.triangle(at).narrow, Z, places(s, at.x, at.y, j));
+            inside |= u64::from(z.shr(28).eq(s.splat(0)).bits()) << (slot * STAMP + j);
+        }
+    }
+    tile.counters.depth_fail += block.keep(inside);
 }
 
 /// Tests and writes depth values that lie in the block.
@@ -247,6 +291,7 @@ pub(super) fn early_test(pipeline: &Pipeline) -> u8 {
 pub(crate) struct DepthTest {
     pub test: Option<Compare>,
     bias: Option<i32>,
+    overflow: ZOverflow,
     pub constant: Option<i32>,
     /// Written as soon as it passes.
     pub writes: bool,
@@ -254,7 +299,13 @@ pub(crate) struct DepthTest {
 
 impl DepthTest {
     /// Everything passes, nothing is written.
-    pub const NONE: DepthTest = DepthTest { test: None, bias: None, constant: None, writes: false };
+    pub const NONE: DepthTest = DepthTest {
+        test: None,
+        bias: None,
+        overflow: ZOverflow::Wrap,
+        constant: None,
+        writes: false,
+    };
 
     #[inline(always)]
     pub fn new(pipeline: &Pipeline) -> DepthTest {
@@ -262,6 +313,7 @@ impl DepthTest {
         DepthTest {
             test: depth.test,
             bias: depth.bias.map(i32::from),
+            overflow: depth.z_overflow,
             constant: depth.compare_constant.map(i32::from),
             writes: pipeline.writes_depth() && !pipeline.needs.late_depth_write,
         }
@@ -304,19 +356,23 @@ impl DepthTest {
         passed
     }
 
-    /// The same for iterated z, before the wrap rule and the bias.
+    /// The same for iterated z, before the rule for overflows and the bias.
     #[inline(always)]
     pub fn run_iterated<S: Simd, const EARLY: u8>(
         &self,
         s: S,
         z: S::I,
-        live: S::M,
+        mut live: S::M,
         aux: &mut [u16],
     ) -> S::M {
         let mut value = z.shr(12);
-        // In range there is nothing to wrap.
-        if (value.gt(s.splat(0xffff)) & live).bits() != 0 {
-            value = wrap::<S, 20, 16>(s, value);
+        // Most triangles are in range.
+        let outside = value.gt(s.splat(0xffff)) & live;
+        if outside.bits() != 0 {
+            value = whole_z(s, z, self.overflow);
+            if self.overflow == ZOverflow::Reject {
+                live = s.splat(0x1_0000).gt(z.shr(12)) & live;
+            }
         }
         if EARLY == early::ANY {
             value = self.biased(s, value);

@@ -17,7 +17,7 @@ use crate::setup::{ExtraNeeds, Triangles};
 use crate::state::{
     Addend, AlphaEquation, AlphaLocal, AuxWrite, Blend, Channels, ColorLocal, CombineUnit, Compare,
     DecalBase, DepthSource, Dither, DrawState, Factor, Fog, FogAmount, LogicOp, MAX_TMUS, Other,
-    Shade, ZOverflow,
+    Shade,
 };
 use crate::stats::Counters;
 use crate::target::PixelFormat;
@@ -34,7 +34,7 @@ pub(crate) enum Stage {
     KeepDepth,
     /// The depth test on depths that are already there.
     ReadyDepth,
-    /// Depth with another rule for z, a deep source or a 32-bit plane.
+    /// Depth with a deep source or a 32-bit plane.
     WideDepth,
     /// The same on depths that are already there.
     ReadyWideDepth,
@@ -404,8 +404,7 @@ fn needs(state: &DrawState, reads_alpha: bool) -> Needs {
     let fog = |amount: FogAmount| state.fog.is_some_and(|fog| fog.amount == amount);
     let compares = state.depth.test.is_some_and(|test| test != Compare::Always);
     let z = &state.depth;
-    let rejects = z.z_overflow == ZOverflow::Reject && z.source == DepthSource::Z;
-    let depth = compares || state.aux_write == AuxWrite::Depth || rejects;
+    let depth = compares || state.aux_write == AuxWrite::Depth;
     let (colors, alpha) = reads_iterated(state, reads_alpha);
     Needs {
         keeps_z: fog(FogAmount::IteratedZ) || state.alpha_combine.local == AlphaLocal::Depth,
@@ -483,11 +482,9 @@ fn stages(
     };
     add(state.stipple.is_some(), Stage::Stipple);
     add(state.pattern.is_some_and(|pattern| pattern.drops()), Stage::Pattern);
-    let wide = state.depth.z_overflow != ZOverflow::Wrap
-        || state.depth.source.is_deep()
-        || aux == Some(PixelFormat::Aux32);
+    let wide = state.depth.source.is_deep() || aux == Some(PixelFormat::Aux32);
     let depth = if wide { Stage::WideDepth } else { Stage::Depth };
-    add(needs.depth || needs.keeps_z || needs.keeps_w, depth);
+    add(needs.depth || needs.keeps_z || needs.keeps_w || state.depth.rejects(), depth);
     if reads_texture(state) || drops_keyed(state) {
         for (index, plan) in units.iter().enumerate().rev() {
             let Some(plan) = plan else { continue };

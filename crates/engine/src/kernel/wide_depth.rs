@@ -1,34 +1,14 @@
-//! Depth beyond the SST-1's: 32-bit planes, deep sources, and other rules for z
-//! outside its range. It stands in the place of the depth stage of states that
-//! have any of it.
+//! Depth beyond the SST-1's: 32-bit planes and deep sources. It stands in the
+//! place of the depth stage of states that have either.
 
 use fillrate_simd::{FloatLanes, IntLanes, MaskLanes, Simd};
 
 use super::block::{Block, Lanes, STAMP, Slot};
-use super::depth::{DepthLanes, DepthTest, IteratedZ, Kept, compare, keep};
-use super::lanes::{iterate, places, ramp_wide};
+use super::depth::{DepthLanes, DepthTest, IteratedZ, Kept, compare, keep_depth, reject_overflow};
+use super::lanes::ramp_wide;
 use super::{Pass, Tile};
-use crate::setup::{Plane64, PlaneF, Z};
-use crate::state::{DepthSource, ZOverflow};
-
-/// Integer part of iterated z, 20 bits, signed.
-#[inline(always)]
-fn whole_z<S: Simd>(s: S, pass: &Pass<'_>, at: &Slot, j: usize) -> S::I {
-    iterate(s, &pass.triangle(at).narrow, Z, places(s, at.x, at.y, j)).sar(12)
-}
-
-/// Iterated z, limited to 16 bits.
-struct ClampedZ;
-
-impl<S: Simd> DepthLanes<S> for ClampedZ {
-    #[inline(always)]
-    fn enter(&mut self, _s: S, _pass: &Pass<'_>, _at: &Slot, _slot: usize) {}
-
-    #[inline(always)]
-    fn lanes(&self, s: S, pass: &Pass<'_>, at: &Slot, j: usize) -> S::I {
-        whole_z(s, pass, at, j).max(s.splat(0)).min(s.splat(0xffff))
-    }
-}
+use crate::setup::{Plane64, PlaneF};
+use crate::state::DepthSource;
 
 /// Depths of a deep source.
 struct Deep {
@@ -95,48 +75,22 @@ pub(crate) fn wide_depth<S: Simd, const READY: bool>(
     pass: &Pass<'_>,
     tile: &mut Tile<'_>,
 ) {
-    let (needs, state) = (&pass.pipeline.needs, &pass.pipeline.state.depth);
-    let wraps = state.z_overflow == ZOverflow::Wrap;
     if READY {
         let Block { live, count, slots, z, depth, .. } = block;
         let fragments = Fragments { live, slots: &slots[..*count], depth };
         return test_depth(s, fragments, &mut Kept { values: z, first: 0 }, pass, tile);
     }
-    if state.z_overflow == ZOverflow::Reject && state.source == DepthSource::Z {
-        reject_overflow(s, block, pass, tile);
-    }
-    let Block { live, count, slots, steps, z, w, depth, .. } = block;
-    let slots = &slots[..*count];
-    if needs.keeps_z && wraps {
-        keep(s, &mut IteratedZ, slots, pass, z);
-    } else if needs.keeps_z {
-        keep(s, &mut ClampedZ, slots, pass, z);
-    }
-    if needs.keeps_w {
-        keep(s, &mut steps.w, slots, pass, w);
-    }
-    let fragments = Fragments { live, slots, depth };
-    match state.source {
-        DepthSource::Z if wraps => test_depth(s, fragments, &mut IteratedZ, pass, tile),
-        DepthSource::Z => test_depth(s, fragments, &mut ClampedZ, pass, tile),
+    reject_overflow(s, block, pass, tile);
+    keep_depth(s, block, pass);
+    let Block { live, count, slots, steps, depth, .. } = block;
+    let fragments = Fragments { live, slots: &slots[..*count], depth };
+    match pass.pipeline.state.depth.source {
+        DepthSource::Z => test_depth(s, fragments, &mut IteratedZ::new(pass), pass, tile),
         DepthSource::FloatW => test_depth(s, fragments, &mut steps.w, pass, tile),
         DepthSource::DeepZ | DepthSource::DeepW => {
             test_depth(s, fragments, &mut Deep { values: [0; STAMP] }, pass, tile);
         }
     }
-}
-
-/// Drops the fragments whose iterated z is no 16-bit number.
-#[inline(always)]
-fn reject_overflow<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, tile: &mut Tile<'_>) {
-    let mut inside = 0u64;
-    for slot in 0..block.count {
-        for j in (0..STAMP).step_by(S::LANES) {
-            let over = whole_z(s, pass, &block.slots[slot], j).shr(16);
-            inside |= u64::from(over.eq(s.splat(0)).bits()) << (slot * STAMP + j);
-        }
-    }
-    tile.counters.depth_fail += block.keep(inside);
 }
 
 /// The parts of a block that the depth test works on.

@@ -100,6 +100,13 @@ pub struct DepthState {
     pub compare_constant: Option<u16>,
 }
 
+impl DepthState {
+    /// Whether fragments are dropped for their z.
+    pub(crate) fn rejects(&self) -> bool {
+        self.z_overflow == ZOverflow::Reject && self.source == DepthSource::Z
+    }
+}
+
 /// What a surviving fragment writes into the aux plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum AuxWrite {
