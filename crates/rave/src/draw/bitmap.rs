@@ -38,8 +38,6 @@ impl Pen<'_> {
             opaque: prepared.is_opaque(alpha_is_one && bound.opaque),
             bright: false,
             fog,
-            // Its z is one.
-            z_overflows: false,
             pattern: PatternUse::None,
         };
         let extra = prepared.extra(v.z, v.inv_w, v.a);

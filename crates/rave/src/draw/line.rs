@@ -94,14 +94,7 @@ fn variant(pen: &Pen<'_>, v: [&VGouraud; 2], fog: FogSource, pattern: PatternUse
     let is_opaque = pen.context.prepared.as_deref().is_some_and(|prepared| {
         prepared.is_opaque(prepared.alpha_fog || v.iter().all(|v| v.a >= 1.0))
     });
-    Variant {
-        paint: Paint::Gouraud,
-        opaque: is_opaque,
-        bright: false,
-        fog,
-        z_overflows: true,
-        pattern,
-    }
+    Variant { paint: Paint::Gouraud, opaque: is_opaque, bright: false, fog, pattern }
 }
 
 /// A corner somewhere else.

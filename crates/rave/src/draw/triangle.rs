@@ -5,7 +5,7 @@ use super::clip::fits;
 use super::convert::w_scale;
 use crate::RaveError;
 use crate::constants::texture_op;
-use crate::painter::{Corner, Z16_MAX};
+use crate::painter::Corner;
 use crate::translate::{Paint, PatternUse, Variant};
 use crate::vertex::{VGouraud, VTexture};
 
@@ -27,7 +27,6 @@ impl Pen<'_> {
             opaque: prepared.is_opaque(alpha_is_one),
             bright: false,
             fog,
-            z_overflows: z_overflows(v.map(|v| [v.x, v.y, v.z])),
             pattern: PatternUse::Area,
         };
         self.choose(&variant);
@@ -68,7 +67,6 @@ impl Pen<'_> {
             opaque: prepared.is_opaque(alpha_is_one && texel_is_opaque),
             bright,
             fog,
-            z_overflows: z_overflows(v.map(|v| [v.x, v.y, v.z])),
             pattern: PatternUse::Area,
         };
         self.objects.usage.add(&prepared.resources);
@@ -104,25 +102,6 @@ impl Pen<'_> {
 /// A textured vertex with its diffuse colour alone.
 pub(super) fn plain(v: &VTexture) -> VGouraud {
     VGouraud { x: v.x, y: v.y, z: v.z, inv_w: v.inv_w, r: v.kd_r, g: v.kd_g, b: v.kd_b, a: v.a }
-}
-
-/// Whether fragments of a triangle may get a z outside 0..=65535: its corners
-/// are moved by a sixteenth of a pixel, its plane is not. Conservative.
-#[inline]
-fn z_overflows([a, b, c]: [[f32; 3]; 3]) -> bool {
-    let [az, bz, cz] = [a, b, c].map(|corner| corner[2].clamp(0.0, 1.0) * Z16_MAX);
-    let low = az.min(bz).min(cz);
-    let high = az.max(bz).max(cz);
-    let span = high - low;
-    if span == 0.0 {
-        return false;
-    }
-    // Where the triangle is an eighth of a pixel high at least, its plane rises
-    // by less than the span in a sixteenth, to either side.
-    let (ab, ac) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
-    let area = (ab[0] * ac[1] - ab[1] * ac[0]).abs();
-    let length = ab[0].abs() + ab[1].abs() + ac[0].abs() + ac[1].abs();
-    !(low >= span && high + span <= Z16_MAX && area * 8.0 >= length)
 }
 
 /// Whether all of a vertex are numbers that can be drawn with.
