@@ -21,7 +21,7 @@ impl Pen<'_> {
             return self.context.fail(RaveError::Parameter);
         }
         let Some(bound) = bind_bitmap(self.context, self.objects, bitmap) else { return };
-        self.objects.usage.add(bound.resource.as_slice());
+        self.objects.usage.add(self.painter.serial(), bound.resource.as_slice());
         let scale_x = self.context.state.float(float::BITMAP_SCALE_X);
         let scale_y = self.context.state.float(float::BITMAP_SCALE_Y);
         if !(scale_x > 0.0 && scale_y > 0.0) {

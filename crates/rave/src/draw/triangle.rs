@@ -36,7 +36,8 @@ impl Pen<'_> {
             let corners = v.map(|v| Corner { vertex: prepared.gouraud(v), extra: extra(v) });
             return self.add(corners, is_extended);
         }
-        self.painter.triangle(|| v.map(|v| prepared.gouraud(v)));
+        let [a, b, c] = v;
+        self.painter.triangle(|| [prepared.gouraud(a), prepared.gouraud(b), prepared.gouraud(c)]);
     }
 
     /// `QADrawTriTexture`; `at` says which of the multi-texture parameters are
@@ -46,7 +47,7 @@ impl Pen<'_> {
             return;
         }
         let Some(prepared) = self.context.prepared.as_deref() else { return };
-        if !v.iter().all(|v| is_finite_texture(v, prepared.op)) {
+        if !are_finite(v) && !v.iter().all(|v| is_finite_texture(v, prepared.op)) {
             return self.context.fail(RaveError::Parameter);
         }
         let Some(bound) = &prepared.bound[0] else {
@@ -60,8 +61,8 @@ impl Pen<'_> {
         let is_extended = prepared.extends_texture(fog);
         let texel_is_opaque = bound.opaque || prepared.has(texture_op::DECAL);
         let alpha_is_one = prepared.alpha_fog || v.iter().all(|v| v.a >= 1.0);
-        let bright = prepared.has(texture_op::MODULATE)
-            && v.iter().any(|v| v.kd_r.max(v.kd_g).max(v.kd_b) > 1.0);
+        let is_bright = |v: &VTexture| (v.kd_r > 1.0) | (v.kd_g > 1.0) | (v.kd_b > 1.0);
+        let bright = prepared.has(texture_op::MODULATE) && v.iter().any(|v| is_bright(v));
         let variant = Variant {
             paint: Paint::Texture,
             opaque: prepared.is_opaque(alpha_is_one && texel_is_opaque),
@@ -69,27 +70,45 @@ impl Pen<'_> {
             fog,
             pattern: PatternUse::Area,
         };
-        self.objects.usage.add(&prepared.resources);
+        self.objects.usage.add(prepared.serial, &prepared.resources);
         self.choose(&variant);
-        let context = &*self.context;
-        let Some(prepared) = context.prepared.as_deref() else { return };
+        let Some(prepared) = self.context.prepared.as_deref() else { return };
         let Some(bound) = &prepared.bound[0] else { return };
-        let params = &context.params[..prepared.layers];
         let scale = w_scale(v.map(|v| v.inv_w));
+        let is_inside = v.iter().all(|v| fits(v.x, v.y));
+        if prepared.layers == 0 && is_inside && !is_extended {
+            let [a, b, c] = v;
+            return self.painter.triangle(|| {
+                [
+                    prepared.textured::<0>(a, bound, scale),
+                    prepared.textured::<0>(b, bound, scale),
+                    prepared.textured::<0>(c, bound, scale),
+                ]
+            });
+        }
+        self.tri_layered(v, at, scale, is_extended);
+    }
+
+    /// A textured triangle that may have further layers, values beyond the engine's
+    /// own, and parts outside the renderer's coordinates.
+    fn tri_layered(&mut self, v: [&VTexture; 3], at: [usize; 3], scale: f32, is_extended: bool) {
+        let Some(prepared) = self.context.prepared.as_deref() else { return };
+        let Some(bound) = &prepared.bound[0] else { return };
+        let params = &self.context.params[..prepared.layers];
         let corner = |i: usize| {
-            let mut vertex = prepared.textured(v[i], bound, scale);
+            let mut vertex = match prepared.layers {
+                0 => prepared.textured::<0>(v[i], bound, scale),
+                1 => prepared.textured::<1>(v[i], bound, scale),
+                _ => prepared.textured::<2>(v[i], bound, scale),
+            };
             for (layer, params) in params.iter().enumerate() {
                 let unit = prepared.layers - 1 - layer;
                 vertex.tmu[unit] = prepared.layer_coordinate(layer, &params[at[i]]);
             }
-            vertex
+            Corner { vertex, extra: prepared.texture_extra(v[i]) }
         };
-        if is_extended || !v.iter().all(|v| fits(v.x, v.y)) {
-            let extra = |i: usize| prepared.texture_extra(v[i]);
-            let corners = [0, 1, 2].map(|i| Corner { vertex: corner(i), extra: extra(i) });
-            return self.add(corners, is_extended);
-        }
-        self.painter.triangle(|| [corner(0), corner(1), corner(2)]);
+        let corners = [corner(0), corner(1), corner(2)];
+        self.add(corners, is_extended);
     }
 
     /// A textured triangle while no texture is set: its diffuse colour.
@@ -113,8 +132,25 @@ pub(super) fn is_finite_gouraud(v: &VGouraud) -> bool {
     place + color == 0.0
 }
 
+/// Four sums of a vertex's values times zero: zeros where all are numbers. They lie
+/// in memory like this, so that four are read at a time.
+#[inline(always)]
+fn zeros(v: &VTexture) -> [f32; 4] {
+    let [a, b] = [[v.x, v.y, v.z, v.inv_w], [v.r, v.g, v.b, v.a]];
+    let [c, d] = [[v.u_over_w, v.v_over_w, v.kd_r, v.kd_g], [v.kd_b, v.ks_r, v.ks_g, v.ks_b]];
+    core::array::from_fn(|i| (a[i] * 0.0 + b[i] * 0.0) + (c[i] * 0.0 + d[i] * 0.0))
+}
+
+/// Whether all values of all corners are numbers.
+#[inline(always)]
+fn are_finite([a, b, c]: [&VTexture; 3]) -> bool {
+    let [a, b, c] = [zeros(a), zeros(b), zeros(c)];
+    let [s, t, u, v] = core::array::from_fn(|i| a[i] + b[i] + c[i]);
+    s + t + u + v == 0.0
+}
+
 /// As [`is_finite_gouraud`], for the values that the operations `op` read.
-#[inline]
+#[cold]
 fn is_finite_texture(v: &VTexture, op: u32) -> bool {
     let place = v.x * 0.0 + v.y * 0.0 + v.z * 0.0 + v.inv_w * 0.0;
     let texture = v.u_over_w * 0.0 + v.v_over_w * 0.0 + v.a * 0.0;
