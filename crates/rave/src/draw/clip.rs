@@ -6,7 +6,7 @@ use fillrate_engine::{TmuVertex, Vertex, VertexExtra};
 use crate::painter::Corner;
 
 /// Coordinates have 11 integer bits and a sign.
-const LIMIT: f32 = 2048.0;
+pub(super) const LIMIT: f32 = 2048.0;
 
 /// Pixels around the context that stay.
 const MARGIN: f32 = 32.0;

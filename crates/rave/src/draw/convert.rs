@@ -52,15 +52,30 @@ impl Prepared {
         f64::from(z.clamp(0.0, 1.0)) * f64::from(self.fog_max_depth)
     }
 
-    /// A textured corner of which unit `UNIT` samples the texture, without the
-    /// coordinates of further layers. `scale` multiplies all that is divided by w.
+    /// The same as [`Prepared::textured`] of a corner with nothing to limit, where
+    /// the state is plain.
     #[inline(always)]
-    pub(super) fn textured<const UNIT: usize>(
-        &self,
-        v: &VTexture,
-        bound: &Bound,
-        scale: f32,
-    ) -> Vertex {
+    pub(super) fn usual(&self, v: &VTexture, bound: &Bound) -> Vertex {
+        Vertex {
+            x: v.x,
+            y: v.y,
+            r: v.kd_r * 255.0,
+            g: v.kd_g * 255.0,
+            b: v.kd_b * 255.0,
+            a: v.a * 255.0,
+            z: v.z * Z16_MAX,
+            w: v.inv_w * self.w_scale,
+            tmu: [
+                coordinate(v.inv_w, v.u_over_w, v.v_over_w, bound, 1.0),
+                TmuVertex::default(),
+                TmuVertex::default(),
+            ],
+        }
+    }
+
+    /// A textured corner, without the coordinates of further layers. `scale`
+    /// multiplies all that is divided by w.
+    pub(super) fn textured(&self, v: &VTexture, bound: &Bound, scale: f32) -> Vertex {
         let diffuse = |kd: f32| kd.clamp(0.0, MAX_DIFFUSE) * 255.0;
         let modulates = self.has(texture_op::MODULATE);
         let [r, g, b] = if !modulates {
@@ -81,7 +96,7 @@ impl Prepared {
             w: v.inv_w * self.w_scale,
             ..Vertex::default()
         };
-        vertex.tmu[UNIT] = coordinate(v.inv_w, v.u_over_w, v.v_over_w, bound, scale);
+        vertex.tmu[self.layers] = coordinate(v.inv_w, v.u_over_w, v.v_over_w, bound, scale);
         vertex
     }
 
@@ -110,15 +125,12 @@ fn coordinate(inv_w: f32, u: f32, v: f32, bound: &Bound, scale: f32) -> TmuVerte
 }
 
 /// 1/w that the engine's registers hold well.
-const USUAL_W: core::ops::RangeInclusive<f32> = 1.0 / 64.0..=1024.0;
+pub(super) const USUAL_W: core::ops::RangeInclusive<f32> = 1.0 / 64.0..=1024.0;
 
 /// A power of two that brings 1/w of a triangle into the range where the
 /// engine's 32 fraction bits and 16 integer bits are plenty; 1 for usual ones.
 #[inline]
 pub(super) fn w_scale(inv_w: [f32; 3]) -> f32 {
-    if inv_w.iter().all(|w| USUAL_W.contains(w)) {
-        return 1.0;
-    }
     let greatest = inv_w[0].max(inv_w[1]).max(inv_w[2]);
     if USUAL_W.contains(&greatest) {
         return 1.0;

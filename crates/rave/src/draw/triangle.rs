@@ -1,8 +1,8 @@
 //! Triangles.
 
 use super::Pen;
-use super::clip::fits;
-use super::convert::w_scale;
+use super::clip::{LIMIT, fits};
+use super::convert::{USUAL_W, w_scale};
 use crate::RaveError;
 use crate::constants::texture_op;
 use crate::painter::Corner;
@@ -42,73 +42,63 @@ impl Pen<'_> {
 
     /// `QADrawTriTexture`; `at` says which of the multi-texture parameters are
     /// the corners'.
+    #[inline]
     pub fn tri_texture(&mut self, v: [&VTexture; 3], at: [usize; 3]) {
         if !self.may_draw() {
             return;
         }
         let Some(prepared) = self.context.prepared.as_deref() else { return };
-        if !are_finite(v) && !v.iter().all(|v| is_finite_texture(v, prepared.op)) {
-            return self.context.fail(RaveError::Parameter);
+        if !prepared.is_plain || !are_usual(v) {
+            return self.tri_any(v, at);
         }
-        let Some(bound) = &prepared.bound[0] else {
-            return self.tri_without_texture(v);
-        };
-        let params = &self.context.params[..prepared.layers];
-        if params.iter().any(|layer| at.iter().any(|&i| i >= layer.len())) {
-            return self.context.fail(RaveError::Parameter);
-        }
-        let fog = prepared.fog_source(v.iter().all(|v| v.inv_w > 0.0));
-        let is_extended = prepared.extends_texture(fog);
-        let texel_is_opaque = bound.opaque || prepared.has(texture_op::DECAL);
-        let alpha_is_one = prepared.alpha_fog || v.iter().all(|v| v.a >= 1.0);
-        let is_bright = |v: &VTexture| (v.kd_r > 1.0) | (v.kd_g > 1.0) | (v.kd_b > 1.0);
-        let bright = prepared.has(texture_op::MODULATE) && v.iter().any(|v| is_bright(v));
-        let variant = Variant {
-            paint: Paint::Texture,
-            opaque: prepared.is_opaque(alpha_is_one && texel_is_opaque),
-            bright,
-            fog,
-            pattern: PatternUse::Area,
-        };
+        let alpha_is_one = v.iter().all(|v| v.a >= 1.0);
+        let variant = prepared.variant(true, alpha_is_one, false);
         self.objects.usage.add(prepared.serial, &prepared.resources);
         self.choose(&variant);
         let Some(prepared) = self.context.prepared.as_deref() else { return };
         let Some(bound) = &prepared.bound[0] else { return };
-        let scale = w_scale(v.map(|v| v.inv_w));
-        let is_inside = v.iter().all(|v| fits(v.x, v.y));
-        if prepared.layers == 0 && is_inside && !is_extended {
-            let [a, b, c] = v;
-            return self.painter.triangle(|| {
-                [
-                    prepared.textured::<0>(a, bound, scale),
-                    prepared.textured::<0>(b, bound, scale),
-                    prepared.textured::<0>(c, bound, scale),
-                ]
-            });
-        }
-        self.tri_layered(v, at, scale, is_extended);
+        let [a, b, c] = v;
+        self.painter.triangle(
+            // Otherwise they are made elsewhere, and copied.
+            #[inline(always)]
+            || [prepared.usual(a, bound), prepared.usual(b, bound), prepared.usual(c, bound)],
+        );
     }
 
-    /// A textured triangle that may have further layers, values beyond the engine's
-    /// own, and parts outside the renderer's coordinates.
-    fn tri_layered(&mut self, v: [&VTexture; 3], at: [usize; 3], scale: f32, is_extended: bool) {
+    /// A textured triangle with whatever texture operations, layers and values.
+    fn tri_any(&mut self, v: [&VTexture; 3], at: [usize; 3]) {
+        let Some(prepared) = self.context.prepared.as_deref() else { return };
+        if !v.iter().all(|v| is_finite_texture(v, prepared.op)) {
+            return self.context.fail(RaveError::Parameter);
+        }
+        if prepared.bound[0].is_none() {
+            return self.tri_without_texture(v);
+        }
+        let params = &self.context.params[..prepared.layers];
+        if params.iter().any(|layer| at.iter().any(|&i| i >= layer.len())) {
+            return self.context.fail(RaveError::Parameter);
+        }
+        let has_w = v.iter().all(|v| v.inv_w > 0.0);
+        let alpha_is_one = prepared.alpha_fog || v.iter().all(|v| v.a >= 1.0);
+        let bright = prepared.has(texture_op::MODULATE)
+            && v.iter().any(|v| v.kd_r.max(v.kd_g).max(v.kd_b) > 1.0);
+        let variant = prepared.variant(has_w, alpha_is_one, bright);
+        let is_extended = prepared.extends_texture(variant.fog);
+        self.objects.usage.add(prepared.serial, &prepared.resources);
+        self.choose(&variant);
         let Some(prepared) = self.context.prepared.as_deref() else { return };
         let Some(bound) = &prepared.bound[0] else { return };
         let params = &self.context.params[..prepared.layers];
+        let scale = w_scale(v.map(|v| v.inv_w));
         let corner = |i: usize| {
-            let mut vertex = match prepared.layers {
-                0 => prepared.textured::<0>(v[i], bound, scale),
-                1 => prepared.textured::<1>(v[i], bound, scale),
-                _ => prepared.textured::<2>(v[i], bound, scale),
-            };
+            let mut vertex = prepared.textured(v[i], bound, scale);
             for (layer, params) in params.iter().enumerate() {
                 let unit = prepared.layers - 1 - layer;
                 vertex.tmu[unit] = prepared.layer_coordinate(layer, &params[at[i]]);
             }
             Corner { vertex, extra: prepared.texture_extra(v[i]) }
         };
-        let corners = [corner(0), corner(1), corner(2)];
-        self.add(corners, is_extended);
+        self.add([0, 1, 2].map(corner), is_extended);
     }
 
     /// A textured triangle while no texture is set: its diffuse colour.
@@ -123,6 +113,33 @@ pub(super) fn plain(v: &VTexture) -> VGouraud {
     VGouraud { x: v.x, y: v.y, z: v.z, inv_w: v.inv_w, r: v.kd_r, g: v.kd_g, b: v.kd_b, a: v.a }
 }
 
+/// Whether nothing of the corners has to be limited, scaled or refused: places
+/// within the renderer's coordinates, usual 1/w, and z, alpha and diffuse colours
+/// of 0..=1.
+#[inline(always)]
+fn are_usual([a, b, c]: [&VTexture; 3]) -> bool {
+    (excess(a) | excess(b) | excess(c)) as i32 >= 0
+}
+
+/// A number whose highest bit is on where a vertex is not usual.
+#[inline(always)]
+fn excess(v: &VTexture) -> u32 {
+    const ONE: u32 = 1.0f32.to_bits();
+    const PLACE: u32 = LIMIT.to_bits() - 1;
+    let [low_w, high_w] = [USUAL_W.start().to_bits(), USUAL_W.end().to_bits()];
+    // Floats of one sign are in the order of their bits, numbers before all else.
+    let outside = |bits: u32, low: u32, high: u32| {
+        let above = bits.wrapping_sub(low);
+        (high - low).wrapping_sub(above) | above
+    };
+    let unit = |value: f32| outside(value.to_bits(), 0, ONE);
+    let size = |value: f32, limit: u32| outside(value.abs().to_bits(), 0, limit);
+    let place = size(v.x, PLACE) | size(v.y, PLACE) | unit(v.z);
+    let color = unit(v.a) | unit(v.kd_r) | unit(v.kd_g) | unit(v.kd_b);
+    let texture = size(v.u_over_w, f32::MAX.to_bits()) | size(v.v_over_w, f32::MAX.to_bits());
+    place | color | texture | outside(v.inv_w.to_bits(), low_w, high_w)
+}
+
 /// Whether all of a vertex are numbers that can be drawn with.
 #[inline]
 pub(super) fn is_finite_gouraud(v: &VGouraud) -> bool {
@@ -132,25 +149,8 @@ pub(super) fn is_finite_gouraud(v: &VGouraud) -> bool {
     place + color == 0.0
 }
 
-/// Four sums of a vertex's values times zero: zeros where all are numbers. They lie
-/// in memory like this, so that four are read at a time.
-#[inline(always)]
-fn zeros(v: &VTexture) -> [f32; 4] {
-    let [a, b] = [[v.x, v.y, v.z, v.inv_w], [v.r, v.g, v.b, v.a]];
-    let [c, d] = [[v.u_over_w, v.v_over_w, v.kd_r, v.kd_g], [v.kd_b, v.ks_r, v.ks_g, v.ks_b]];
-    core::array::from_fn(|i| (a[i] * 0.0 + b[i] * 0.0) + (c[i] * 0.0 + d[i] * 0.0))
-}
-
-/// Whether all values of all corners are numbers.
-#[inline(always)]
-fn are_finite([a, b, c]: [&VTexture; 3]) -> bool {
-    let [a, b, c] = [zeros(a), zeros(b), zeros(c)];
-    let [s, t, u, v] = core::array::from_fn(|i| a[i] + b[i] + c[i]);
-    s + t + u + v == 0.0
-}
-
 /// As [`is_finite_gouraud`], for the values that the operations `op` read.
-#[cold]
+#[inline]
 fn is_finite_texture(v: &VTexture, op: u32) -> bool {
     let place = v.x * 0.0 + v.y * 0.0 + v.z * 0.0 + v.inv_w * 0.0;
     let texture = v.u_over_w * 0.0 + v.v_over_w * 0.0 + v.a * 0.0;
