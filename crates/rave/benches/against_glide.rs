@@ -29,6 +29,9 @@ struct State {
     modulated: bool,
     fogged: bool,
     blended: bool,
+    /// Each triangle is a call's value, in place of an array or a function's
+    /// arguments.
+    by_calls: bool,
 }
 
 /// How frames follow one another.
@@ -130,6 +133,7 @@ trait Frame {
 struct Rave {
     library: Context,
     context: u32,
+    state: State,
     pace: Pace,
     vertices: Vec<VTexture>,
     /// The same for states without a texture.
@@ -201,7 +205,7 @@ impl Rave {
         };
         let gouraud =
             if state.textured { Vec::new() } else { vertices.iter().map(plain).collect() };
-        Rave { library, context, pace, vertices, gouraud }
+        Rave { library, context, state, pace, vertices, gouraud }
     }
 }
 
@@ -209,7 +213,11 @@ impl Frame for Rave {
     fn frame(&mut self) {
         let (context, id) = (self.context, DrawContextId(self.context));
         self.library.execute(&Call::RenderStart { context, dirty: None, initial: 0 });
-        if self.gouraud.is_empty() {
+        if self.state.by_calls {
+            for &[a, b, c] in self.vertices.as_chunks().0 {
+                self.library.execute(&Call::DrawTriTexture { context, a, b, c, flags: 0 });
+            }
+        } else if self.gouraud.is_empty() {
             self.library.draw_v_texture(id, vertex_mode::TRI, &self.vertices);
         } else {
             self.library.draw_v_gouraud(id, vertex_mode::TRI, &self.gouraud);
@@ -317,7 +325,11 @@ impl Frame for Glide {
         self.library.execute(&GrBufferClear { color: 0, alpha: 0, depth: 0xffff });
         self.library.execute(&GrDepthMask { mask: i32::from(!self.state.blended) });
         for [a, b, c] in self.vertices.as_chunks().0 {
-            self.library.draw_triangle(a, b, c);
+            if self.state.by_calls {
+                self.library.execute(&GrDrawTriangle { a: *a, b: *b, c: *c });
+            } else {
+                self.library.draw_triangle(a, b, c);
+            }
         }
         self.library.execute(&GrBufferSwap { interval: 0 });
         if self.pace == Pace::OneByOne {
@@ -427,4 +439,6 @@ fn main() {
     }
     let small = triangles(50_000, 4.5);
     compare("50000 of 4.5 pixels, Gouraud", &small, State::default());
+    let by_calls = State { by_calls: true, ..modulated };
+    compare("50000 of 4.5 pixels, by calls", &small, by_calls);
 }
