@@ -45,6 +45,8 @@ pub trait Simd: Copy + Send + Sync + 'static {
     fn load16(self, from: &[u16]) -> Self::I;
     /// Stores the low halves of the lanes that are on in `mask`.
     fn store16(self, lanes: Self::I, to: &mut [u16], mask: Self::M);
+    /// Stores the low halves of all lanes.
+    fn store16_all(self, lanes: Self::I, to: &mut [u16]);
     /// Stores the lanes that are on in `mask`.
     fn store_masked(self, lanes: Self::I, to: &mut [i32], mask: Self::M);
     /// The same float in every lane.

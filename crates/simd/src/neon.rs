@@ -93,6 +93,12 @@ impl Simd for Neon {
         }
     }
     #[inline(always)]
+    fn store16_all(self, lanes: I, to: &mut [u16]) {
+        let to = &mut to[..4];
+        // SAFETY: the slice holds 8 bytes.
+        unsafe { vst1_u16(to.as_mut_ptr(), vmovn_u32(vreinterpretq_u32_s32(lanes.0))) }
+    }
+    #[inline(always)]
     fn store_masked(self, lanes: I, to: &mut [i32], mask: M) {
         let old = self.load(to);
         self.store(lanes.select(old, mask), to);

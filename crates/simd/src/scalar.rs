@@ -83,6 +83,12 @@ impl Simd for Scalar {
         }
     }
     #[inline(always)]
+    fn store16_all(self, lanes: I4, to: &mut [u16]) {
+        for (to, lane) in to[..N].iter_mut().zip(lanes.0) {
+            *to = lane as u16;
+        }
+    }
+    #[inline(always)]
     fn store_masked(self, lanes: I4, to: &mut [i32], mask: M4) {
         for (i, to) in to[..N].iter_mut().enumerate() {
             if mask.0 >> i & 1 != 0 {

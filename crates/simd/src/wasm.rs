@@ -92,6 +92,15 @@ impl Simd for Simd128 {
         }
     }
     #[inline(always)]
+    fn store16_all(self, lanes: I, to: &mut [u16]) {
+        let to = &mut to[..4];
+        let low = v128_and(lanes.0, i32x4_splat(0xffff));
+        // SAFETY: the slice holds 8 bytes; the store takes any alignment.
+        unsafe {
+            v128_store64_lane::<0>(u16x8_narrow_i32x4(low, low), to.as_mut_ptr().cast());
+        }
+    }
+    #[inline(always)]
     fn store_masked(self, lanes: I, to: &mut [i32], mask: M) {
         let old = self.load(to);
         self.store(lanes.select(old, mask), to);

@@ -85,6 +85,12 @@ impl Strip {
         sum
     }
 
+    /// Whether every fragment of its stamps is left.
+    #[inline(always)]
+    pub fn is_whole(&self) -> bool {
+        self.len() == (self.count * STAMP) as u64
+    }
+
     /// The stamps' elements of a plane of the tile.
     #[inline(always)]
     pub fn elements<'a>(&self, plane: &'a mut [u16]) -> &'a mut [[u16; STAMP]] {
@@ -93,12 +99,8 @@ impl Strip {
     }
 }
 
-/// Replaces the bits of a stamp's fragments `j..` by a vector's.
-#[inline(always)]
-pub(crate) fn put_bits<S: Simd>(live: &mut u16, j: usize, bits: u32) {
-    let lanes = ((1u32 << S::LANES) - 1) << j;
-    *live = (*live & !lanes as u16) | (bits << j) as u16;
-}
+/// Vectors of a stamp at the narrowest level.
+pub(crate) const VECTORS: usize = 4;
 
 /// Whether any of a stamp's fragments `j..` of a vector is live.
 #[inline(always)]

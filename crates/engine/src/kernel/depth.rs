@@ -8,7 +8,7 @@
 
 use fillrate_simd::{FloatLanes, IntLanes, MaskLanes, Simd};
 
-use super::block::{Block, Lanes, STAMP, Slot, Strip, put_bits};
+use super::block::{Block, Lanes, STAMP, Slot, Strip, VECTORS};
 use super::lanes::{iterate, places, ramp_wide, wrap};
 use super::{Pass, Pipeline, Tile};
 use crate::setup::{Narrow, Plane64, Z};
@@ -392,16 +392,65 @@ pub(crate) fn test_strip<S: Simd, const EARLY: u8>(
     aux: &mut [u16],
 ) {
     let aux = strip.elements(aux);
-    let step = s.splat(narrow.dx[Z].wrapping_mul(4));
-    for j in (0..STAMP).step_by(S::LANES) {
-        let mut z = iterate(s, narrow, Z, places(s, strip.first.x, strip.first.y, j));
-        for (live, stamp) in strip.live.iter_mut().zip(&mut *aux) {
-            let lanes = s.mask(u32::from(*live) >> j);
-            let passed = test.run_iterated::<S, EARLY>(s, z, lanes, &mut stamp[j..]);
-            put_bits::<S>(live, j, passed.bits());
-            z = z + step;
-        }
+    let common = EARLY == early::LESS || EARLY == early::LESS_EQUAL;
+    if common && test.writes && strip.is_whole() && is_in_range(narrow, strip) {
+        return test_whole::<S, EARLY>(s, narrow, strip, aux);
     }
+    let step = s.splat(narrow.dx[Z].wrapping_mul(4));
+    let mut z = first_depths(s, narrow, strip);
+    for (live, stamp) in strip.live.iter_mut().zip(aux) {
+        let (before, mut left) = (u32::from(*live), 0);
+        for (v, z) in z[..STAMP / S::LANES].iter_mut().enumerate() {
+            let (j, lanes) = (v * S::LANES, s.mask(before >> (v * S::LANES)));
+            let passed = test.run_iterated::<S, EARLY>(s, *z, lanes, &mut stamp[j..]);
+            left |= passed.bits() << j;
+            *z = *z + step;
+        }
+        *live = left as u16;
+    }
+}
+
+/// The same of stamps that are covered whole, with z in its range: what passes
+/// is the lesser of two numbers.
+#[inline(always)]
+fn test_whole<S: Simd, const EARLY: u8>(
+    s: S,
+    narrow: &Narrow,
+    strip: &mut Strip,
+    aux: &mut [[u16; STAMP]],
+) {
+    let op = if EARLY == early::LESS { Compare::Less } else { Compare::LessEqual };
+    let step = s.splat(narrow.dx[Z].wrapping_mul(4));
+    let mut z = first_depths(s, narrow, strip);
+    for (live, stamp) in strip.live.iter_mut().zip(aux) {
+        let mut left = 0;
+        for (v, z) in z[..STAMP / S::LANES].iter_mut().enumerate() {
+            let (j, value) = (v * S::LANES, z.shr(12));
+            let old = s.load16(&stamp[j..]);
+            left |= compare(s, op, value, old).bits() << j;
+            s.store16_all(value.min(old), &mut stamp[j..]);
+            *z = *z + step;
+        }
+        *live = left as u16;
+    }
+}
+
+/// Iterated z of a strip's first stamp.
+#[inline(always)]
+fn first_depths<S: Simd>(s: S, narrow: &Narrow, strip: &Strip) -> [S::I; VECTORS] {
+    let mut z = [s.splat(0); VECTORS];
+    for (v, z) in z[..STAMP / S::LANES].iter_mut().enumerate() {
+        *z = iterate(s, narrow, Z, places(s, strip.first.x, strip.first.y, v * S::LANES));
+    }
+    z
+}
+
+/// Whether iterated z is a 16-bit number all over a strip.
+#[inline(always)]
+fn is_in_range(narrow: &Narrow, strip: &Strip) -> bool {
+    let right = 4 * strip.count as i64 - 1;
+    let (low, high) = narrow.range(Z, [strip.first.x, strip.first.y], [right, 3]);
+    low >= 0 && high < 1 << 28
 }
 
 /// The parts of a block that the depth test works on.

@@ -168,32 +168,32 @@ fn fragments<
             let alpha = joined.alpha;
             let color = colors::<S, TEXEL, ITERATED, BLEND>(s, block, pass, alpha, slot, j);
             let aux = aux.get(j..).unwrap_or(&[]);
-            let live = s.mask(live >> j);
-            write::<S, BLEND, DITHER>(s, pass, color, &mut pixels[j..], aux, live, j);
+            let pixels = &mut pixels[j..];
+            let color = finished::<S, BLEND, DITHER>(s, pass, color, pixels, aux, j);
+            s.store16(color, pixels, s.mask(live >> j));
         }
     }
     tile.counters.pixels_out += u64::from(block.live.count_ones());
 }
 
-/// Blends, dithers and writes the colours of fragments `j..` of a stamp; the
-/// slices begin with their elements.
+/// Blends and dithers the colours of fragments `j..` of a stamp, to be written;
+/// the slices begin with their elements.
 #[inline(always)]
-fn write<S: Simd, const BLEND: bool, const DITHER: bool>(
+fn finished<S: Simd, const BLEND: bool, const DITHER: bool>(
     s: S,
     pass: &Pass<'_>,
     mut color: [S::I; 2],
-    pixels: &mut [u16],
+    pixels: &[u16],
     aux: &[u16],
-    live: S::M,
     j: usize,
-) {
+) -> S::I {
     let pipeline = pass.pipeline;
     let format = PixelFormat::Rgb565;
     if BLEND && let Some(config) = &pipeline.state.blend {
         color = blended(s, pass, config, format, [color, color], s.load16(pixels), aux, j);
     }
     let dither = if DITHER { Some(s.load(&pipeline.dither[j..])) } else { None };
-    s.store16(pack(s, format, color, dither), pixels, live);
+    pack(s, format, color, dither)
 }
 
 /// Draws a strip whose fragments get their iterated colours.
@@ -217,7 +217,7 @@ fn strip_fragments<S: Simd, const BLEND: bool, const DITHER: bool>(
 ) {
     let ColorTile::Bits16(pixels, _) = &mut tile.color else { return };
     let pixels = strip.elements(pixels);
-    let first = &strip.first;
+    let (first, whole) = (&strip.first, strip.is_whole());
     let narrow = &pass.triangle(first).narrow;
     for j in (0..STAMP).step_by(S::LANES) {
         let mut colors = ColorIterators::new(s, narrow, places(s, first.x, first.y, j));
@@ -225,8 +225,13 @@ fn strip_fragments<S: Simd, const BLEND: bool, const DITHER: bool>(
             let color = colors.colors::<BLEND>(s);
             colors.advance();
             let aux = tile.aux.get(first.at as usize + i * STAMP + j..).unwrap_or(&[]);
-            let live = s.mask(u32::from(*live) >> j);
-            write::<S, BLEND, DITHER>(s, pass, color, &mut pixels[j..], aux, live, j);
+            let pixels = &mut pixels[j..];
+            let color = finished::<S, BLEND, DITHER>(s, pass, color, pixels, aux, j);
+            if whole {
+                s.store16_all(color, pixels);
+            } else {
+                s.store16(color, pixels, s.mask(u32::from(*live) >> j));
+            }
         }
     }
     tile.counters.pixels_out += strip.len();

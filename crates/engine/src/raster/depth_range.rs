@@ -18,11 +18,7 @@ pub(crate) fn depth_range(
     let (right, down) = (i64::from(area.x1 - area.x0 - 1), i64::from(area.y1 - area.y0 - 1));
     let (low, high) = match pipeline.state.depth.source {
         DepthSource::Z => {
-            let narrow = &triangle.narrow;
-            let corner = i64::from(narrow.value(Z, x, y));
-            let (dx, dy) = (i64::from(narrow.dx[Z]) * right, i64::from(narrow.dy[Z]) * down);
-            let low = corner + dx.min(0) + dy.min(0);
-            let high = corner + dx.max(0) + dy.max(0);
+            let (low, high) = triangle.narrow.range(Z, [x, y], [right, down]);
             if low < 0 || high >= 0x1_0000 << 12 {
                 return None;
             }

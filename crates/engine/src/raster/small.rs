@@ -5,15 +5,12 @@
 use fillrate_simd::{IntLanes, MaskLanes, Simd};
 
 use super::queue::Queue;
-use crate::kernel::block::{STAMP, Slot};
+use crate::kernel::block::{STAMP, Slot, VECTORS};
 use crate::kernel::depth::{DepthTest, early};
 use crate::kernel::lanes::places;
 use crate::setup::{Triangle, Z};
 use crate::state::Rect;
 use crate::stats::Counters;
-
-/// Vectors of a stamp at the narrowest level.
-const VECTORS: usize = 4;
 
 /// Stamps across and down that an area touches.
 #[inline(always)]

@@ -61,6 +61,16 @@ impl Narrow {
             .wrapping_add(self.dx[lane].wrapping_mul(x))
             .wrapping_add(self.dy[lane].wrapping_mul(y))
     }
+
+    /// The least and the greatest value of an attribute between a pixel and the
+    /// one so many columns to its right and rows below; right where nothing wraps
+    /// between them.
+    #[inline(always)]
+    pub fn range(&self, lane: usize, [x, y]: [i32; 2], [right, down]: [i64; 2]) -> (i64, i64) {
+        let corner = i64::from(self.value(lane, x, y));
+        let (dx, dy) = (i64::from(self.dx[lane]) * right, i64::from(self.dy[lane]) * down);
+        (corner + dx.min(0) + dy.min(0), corner + dx.max(0) + dy.max(0))
+    }
 }
 
 /// A 64-bit attribute with 32 fraction bits.

@@ -108,6 +108,30 @@ fn store16_with_every_mask() {
     assert!(found == stored(&old, |at| values[at] as u16));
 }
 
+/// Stores of all lanes from the last to the first, as above.
+struct Store16All<'a>(&'a [i32]);
+
+impl Kernel for Store16All<'_> {
+    type Output = Vec<u16>;
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> Vec<u16> {
+        let mut out = vec![0; self.0.len()];
+        for at in (0..self.0.len()).step_by(S::LANES).rev() {
+            simd.store16_all(simd.load(&self.0[at..]), &mut out[at..]);
+        }
+        out
+    }
+}
+
+#[test]
+fn store16_all_keeps_low_halves() {
+    let values = Random(14).ints(64 * MAX_LANES);
+    let expected: Vec<u16> = values.iter().map(|&v| v as u16).collect();
+    for level in Level::available() {
+        assert_eq!(level.dispatch(Store16All(&values)), expected, "{level}");
+    }
+}
+
 #[test]
 fn store_masked_with_every_mask() {
     let mut random = Random(13);
@@ -337,6 +361,7 @@ short_slice! {
     short_load_f |simd, n| simd.load_f(&vec![0.0; n]);
     short_store |simd, n| simd.store(simd.splat(0), &mut vec![0; n]);
     short_store16 |simd, n| simd.store16(simd.splat(0), &mut vec![0; n], simd.mask(0));
+    short_store16_all |simd, n| simd.store16_all(simd.splat(0), &mut vec![0; n]);
     short_store_masked |simd, n| simd.store_masked(simd.splat(0), &mut vec![0; n], simd.mask(0));
     short_store_f |simd, n| simd.store_f(simd.splat_f(0.0), &mut vec![0.0; n]);
 }

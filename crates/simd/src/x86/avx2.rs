@@ -99,6 +99,17 @@ impl Simd for Avx2 {
         }
     }
     #[inline(always)]
+    fn store16_all(self, lanes: I, to: &mut [u16]) {
+        let to = &mut to[..8];
+        // SAFETY: the slice holds 16 bytes; the token proves AVX2.
+        unsafe {
+            let low = _mm256_and_si256(lanes.0, _mm256_set1_epi32(0xffff));
+            let new =
+                _mm_packus_epi32(_mm256_castsi256_si128(low), _mm256_extracti128_si256::<1>(low));
+            _mm_storeu_si128(to.as_mut_ptr().cast(), new);
+        }
+    }
+    #[inline(always)]
     fn store_masked(self, lanes: I, to: &mut [i32], mask: M) {
         // Not a masked store: on Zen 4 that takes ten times as long, whatever
         // the mask.

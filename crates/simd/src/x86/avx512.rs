@@ -97,6 +97,14 @@ impl Simd for Avx512 {
         }
     }
     #[inline(always)]
+    fn store16_all(self, lanes: I, to: &mut [u16]) {
+        let to = &mut to[..16];
+        // SAFETY: the slice holds 32 bytes; the token proves AVX-512.
+        unsafe {
+            _mm256_storeu_si256(to.as_mut_ptr().cast(), _mm512_cvtepi32_epi16(lanes.0));
+        }
+    }
+    #[inline(always)]
     fn store_masked(self, lanes: I, to: &mut [i32], mask: M) {
         let to = &mut to[..16];
         // SAFETY: the slice holds 64 bytes; the token proves AVX-512.

@@ -100,6 +100,15 @@ impl Simd for Sse41 {
         }
     }
     #[inline(always)]
+    fn store16_all(self, lanes: I, to: &mut [u16]) {
+        let to = &mut to[..4];
+        // SAFETY: the slice holds 8 bytes; the token proves SSE4.1.
+        unsafe {
+            let low = _mm_and_si128(lanes.0, _mm_set1_epi32(0xffff));
+            _mm_storel_epi64(to.as_mut_ptr().cast(), _mm_packus_epi32(low, low));
+        }
+    }
+    #[inline(always)]
     fn store_masked(self, lanes: I, to: &mut [i32], mask: M) {
         let old = self.load(to);
         self.store(lanes.select(old, mask), to);
