@@ -537,7 +537,8 @@ impl Painter {
         // It replaces all before.
         let Waiting { present, surface, .. } = waiting[last];
         waiting.drain(..=last);
-        if let Ok(surface) = self.device.surface(surface) {
+        // What is collected for the surface may be the next frame.
+        if let Ok(surface) = self.device.drawn_surface(surface) {
             carry_out(&present, surface, planes, front);
         }
     }

@@ -289,7 +289,12 @@ impl Story {
         let sides = [place.left, place.top, place.right, place.bottom].map(|side| side as f32);
         self.scene.context = self.models[which].id;
         // Often enough that drawing takes its time.
-        let times = [1, 1, 60][self.dice.below(3) as usize];
+        let times = [1, 1, 60, 500][self.dice.below(4) as usize];
+        if times > 100 {
+            let all = [0.0, 0.0, SIZE.0 as f32, SIZE.1 as f32];
+            (0..times).for_each(|_| self.scene.rect(all, colored(color, 0.5)));
+            self.models[which].fill(self::all(), argb);
+        }
         (0..times).for_each(|_| self.scene.rect(sides, colored(color, 0.5)));
         self.models[which].fill(place, argb);
     }
@@ -399,12 +404,40 @@ impl Story {
 #[test]
 fn random_frames_are_shown_as_if_they_were_copied() {
     let cases = std::env::var("FILLRATE_CASES").ok().and_then(|cases| cases.parse().ok());
-    for seed in 0..cases.unwrap_or(200u64) {
+    for seed in 0..cases.unwrap_or(60u64) {
         let (threads, asynchronous) =
             [(1, false), (1, true), (2, true), (3, true), (2, false)][seed as usize % 5];
         let device = DeviceConfig { threads, ..config().device };
         let mut story = Story::new(RaveConfig { device, asynchronous, ..config() }, seed);
         (0..80).for_each(|_| story.step());
         story.finish();
+    }
+}
+
+/// While a frame is drawn and the next one is collected, the frame before is seen,
+/// and then the one that was drawn.
+#[test]
+fn a_frame_is_seen_until_the_next_is_drawn() {
+    let device = DeviceConfig { threads: 2, ..config().device };
+    let config = RaveConfig { device, asynchronous: true, ..config() };
+    let mut scene = Scene::with(config, 512, 512, PixelType::Argb32, DOUBLE_BUFFER | NO_Z_BUFFER);
+    let (red, green) = (0xffff_0000, 0xff00_ff00);
+    for _ in 0..5 {
+        scene.start();
+        scene.rect([0.0, 0.0, 512.0, 512.0], colored([1.0, 0.0, 0.0], 0.5));
+        scene.end().expect("a frame");
+        scene.library.finish();
+        scene.start();
+        (0..400).for_each(|_| {
+            scene.rect([0.0, 0.0, 512.0, 512.0], colored([0.0, 1.0, 0.0], 0.5));
+        });
+        scene.end().expect("a frame");
+        scene.start();
+        let shown = scene.library.shown_so_far(scene.id()).expect("the context is there");
+        let seen = shown.argb(100, 100);
+        assert!(words(&shown).iter().all(|&pixel| pixel == seen), "one frame");
+        assert!([red, green].contains(&seen), "{seen:08x}");
+        assert_eq!(scene.pixel(100, 100), green);
+        scene.end().expect("a frame");
     }
 }
