@@ -104,6 +104,8 @@ pub struct Device {
     crew: Crew<Batch>,
     /// What that batch is drawn on, while it is.
     in_flight: Option<Targets>,
+    /// Batches started so far.
+    started: u64,
     surfaces: Vec<Option<Surface>>,
     color: Option<SurfaceId>,
     aux: Option<SurfaceId>,
@@ -130,6 +132,7 @@ impl Device {
             config,
             crew,
             in_flight: None,
+            started: 0,
             surfaces: Vec::new(),
             color: None,
             aux: None,
