@@ -10,6 +10,37 @@ impl Surface {
         }
     }
 
+    /// The cell, and the index in it, of each four pixels that a row's
+    /// elements lie in.
+    fn row(&self, y: u32) -> impl Iterator<Item = (usize, usize)> + use<> {
+        let (bits, across) = (self.tile_bits(), self.tiles_across());
+        let mask = (1 << bits) - 1;
+        (0..self.width()).step_by(STAMP as usize).map(move |x| {
+            let cell = (y >> bits) * across + (x >> bits);
+            (cell as usize, stamp_index(x & mask, y & mask, bits))
+        })
+    }
+
+    /// Copies a row's elements out, from the left, as many as `to` has and the
+    /// surface holds. Much faster than asking for each.
+    ///
+    /// # Panics
+    /// Where there is no row `y`.
+    pub fn read_row(&self, y: u32, to: &mut [u32]) {
+        for (to, (cell, at)) in to.chunks_mut(STAMP as usize).zip(self.row(y)) {
+            self.cells[cell].read(at, to);
+        }
+    }
+
+    /// Sets a row.
+    pub(crate) fn write_row(&mut self, y: u32, from: &[u32]) {
+        for (from, (cell, at)) in from.chunks(STAMP as usize).zip(self.row(y)) {
+            for (i, &value) in from.iter().enumerate() {
+                self.cells[cell].set(at + i, value);
+            }
+        }
+    }
+
     /// The elements of a row from column `x` on, `count` of them, in parts that lie
     /// together: the cell, the index in it of the first, and how many.
     fn parts(
@@ -31,16 +62,8 @@ impl Surface {
         })
     }
 
-    /// Copies a row's elements out, from the left, as many as `to` has and the
-    /// surface holds. Much faster than asking for each.
-    ///
-    /// # Panics
-    /// Where there is no row `y`.
-    pub fn read_row(&self, y: u32, to: &mut [u32]) {
-        self.read_run(0, y, to);
-    }
-
-    /// The same from column `x` on.
+    /// Copies a row's elements out from column `x` on, as many as `to` has and the
+    /// surface holds.
     ///
     /// # Panics
     /// Where there is no row `y`.
@@ -50,11 +73,6 @@ impl Surface {
             self.cells[cell].read(at, part);
             to = rest;
         }
-    }
-
-    /// Sets a row.
-    pub(crate) fn write_row(&mut self, y: u32, from: &[u32]) {
-        self.write_run(0, y, from);
     }
 
     /// Sets elements of a row from column `x` on, as many as `from` has and the

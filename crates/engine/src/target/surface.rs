@@ -134,15 +134,8 @@ impl TileCell {
 
     /// Copies consecutive elements of one stamp out.
     pub fn read(&self, at: usize, to: &mut [u32]) {
-        let part = at..at + to.len();
-        match (&self.pending, &self.plane) {
-            (None, Plane::Bits16(pixels)) => {
-                to.iter_mut().zip(&pixels[part]).for_each(|(to, &from)| *to = u32::from(from));
-            }
-            (None, Plane::Bits32(pixels)) => {
-                to.iter_mut().zip(&pixels[part]).for_each(|(to, &from)| *to = from as u32);
-            }
-            (Some(_), _) => to.iter_mut().zip(part).for_each(|(to, at)| *to = self.get(at)),
+        for (to, at) in to.iter_mut().zip(at..) {
+            *to = self.get(at);
         }
     }
 
