@@ -279,11 +279,9 @@ impl FloatLanes for F {
         fn half(x: __m256d) -> __m128i {
             // SAFETY: lanes exist only where AVX2 was detected.
             unsafe {
-                let limited = _mm256_max_pd(
-                    _mm256_min_pd(_mm256_floor_pd(x), _mm256_set1_pd(i32::MAX as f64)),
-                    _mm256_set1_pd(i32::MIN as f64),
-                );
-                _mm256_cvttpd_epi32(limited)
+                // What does not fit becomes the least integer.
+                let limited = _mm256_min_pd(x, _mm256_set1_pd(i32::MAX as f64));
+                _mm256_cvttpd_epi32(_mm256_floor_pd(limited))
             }
         }
         // SAFETY: lanes exist only where AVX2 was detected.

@@ -287,14 +287,9 @@ impl FloatLanes for F {
             const FLOOR: i32 = _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC;
             // SAFETY: lanes exist only where AVX-512 was detected.
             unsafe {
-                let limited = _mm512_max_pd(
-                    _mm512_min_pd(
-                        _mm512_roundscale_pd::<FLOOR>(x),
-                        _mm512_set1_pd(i32::MAX as f64),
-                    ),
-                    _mm512_set1_pd(i32::MIN as f64),
-                );
-                _mm512_cvttpd_epi32(limited)
+                // What does not fit becomes the least integer.
+                let limited = _mm512_min_pd(x, _mm512_set1_pd(i32::MAX as f64));
+                _mm512_cvt_roundpd_epi32::<FLOOR>(limited)
             }
         }
         // SAFETY: lanes exist only where AVX-512 was detected.
