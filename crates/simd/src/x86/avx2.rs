@@ -2,7 +2,7 @@
 
 use core::arch::x86_64::*;
 
-use super::{binary, float_operator, four, operator, shifts};
+use super::{binary, float_operator, four, four_at, operator, shifts};
 use crate::{FloatLanes, IntLanes, Kernel, Level, MaskLanes, Simd, SingleLanes};
 
 /// The token of the AVX2 level.
@@ -203,10 +203,7 @@ impl Simd for Avx2 {
             if _mm256_testz_si256(excess, excess) == 0 {
                 return self.load_pairs(table, I(lanes));
             }
-            let (low, high) = split_words(
-                four(table, [index[0], index[1], index[2], index[3]]),
-                four(table, [index[4], index[5], index[6], index[7]]),
-            );
+            let (low, high) = split_words(four_at(table, index, 0), four_at(table, index, 4));
             (I(low), I(high))
         }
     }
