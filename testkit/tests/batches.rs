@@ -49,3 +49,53 @@ fn batches_in_flight_are_waited_for() -> Result<(), EngineError> {
     }
     Ok(())
 }
+
+/// What is collected is not seen in what is drawn, which nobody waits for.
+#[test]
+fn what_is_drawn_can_be_read_while_more_is_collected() -> Result<(), EngineError> {
+    for threads in [1, 2, 5] {
+        let mut device = Device::new(DeviceConfig { threads, ..DeviceConfig::default() })?;
+        let mut surface = || device.create_surface(SIDE, SIDE, PixelFormat::Rgb565);
+        let [a, b] = [surface()?, surface()?];
+        for (id, grey) in [(a, 255), (b, 0)] {
+            device.set_target(id, None)?;
+            fill(&mut device, grey);
+            device.submit(FlushReason::Swap);
+        }
+        device.set_target(a, None)?;
+        fill(&mut device, 0);
+        assert_eq!(device.drawn_surface(a)?.get(3, 5), 0xffff, "what was drawn");
+        assert_eq!(device.drawn_surface(b)?.get(3, 5), 0);
+        assert_eq!(device.started(), 2, "the rest is still collected");
+        assert_eq!(device.surface(a)?.get(3, 5), 0);
+    }
+    Ok(())
+}
+
+/// Batches are counted when they start, and again when they are drawn, whether
+/// somebody waits for them or not.
+#[test]
+fn batches_are_counted() -> Result<(), EngineError> {
+    for threads in [1, 2, 5] {
+        let mut device = Device::new(DeviceConfig { threads, ..DeviceConfig::default() })?;
+        let surface = device.create_surface(SIDE, SIDE, PixelFormat::Rgb565)?;
+        device.set_target(surface, None)?;
+        for round in 1..=50 {
+            fill(&mut device, 255);
+            device.submit(FlushReason::Swap);
+            assert_eq!(device.started(), round);
+            assert!(device.drawn() + 1 >= round, "one batch is drawn at a time");
+            if round % 2 == 0 {
+                device.flush(FlushReason::Explicit);
+                assert_eq!(device.drawn(), round);
+            }
+            while device.drawn() < round {
+                std::thread::yield_now();
+            }
+            // A batch of nothing is none.
+            device.submit(FlushReason::Swap);
+        }
+        assert_eq!(device.counters().pixels_out, u64::from(50 * SIDE * SIDE));
+    }
+    Ok(())
+}

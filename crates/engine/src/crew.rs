@@ -26,6 +26,8 @@ struct State {
     open: bool,
     /// Helpers inside the job.
     working: usize,
+    /// A helper found nothing left to begin in this round.
+    exhausted: bool,
     /// What one of them panicked with.
     panic: Option<Box<dyn Any + Send>>,
     /// The crew goes home.
@@ -109,12 +111,18 @@ impl<J: Job> Crew<J> {
     /// Starts a round: helpers begin, the caller goes on.
     pub fn start(&mut self) {
         let mut state = self.shared.state();
-        state.open = true;
+        (state.open, state.exhausted) = (true, false);
         self.shared.round.fetch_add(1, Ordering::Relaxed);
         drop(state);
         if !self.is_alone() {
             self.shared.start.notify_all();
         }
+    }
+
+    /// Whether helpers have done all of the round. It does not wait.
+    pub fn is_done(&self) -> bool {
+        let state = self.shared.state();
+        state.exhausted && state.working == 0
     }
 
     /// Works along, and returns when the round is over.
@@ -171,6 +179,7 @@ fn help<J: Job>(shared: &Shared<J>, patience: u32, number: usize) {
         let result = catch_unwind(AssertUnwindSafe(|| shared.job().work(number)));
         let mut state = shared.state();
         state.working -= 1;
+        state.exhausted = true;
         if let Err(panic) = result {
             state.panic = Some(panic);
         }
@@ -277,6 +286,26 @@ mod tests {
             assert!(crew.finish().is_err());
             *crew.job() = fall(owner, false);
             crew.start();
+            crew.finish().unwrap();
+        }
+    }
+
+    /// A round that nobody joins is told to be done once all its items are, and
+    /// not before.
+    #[test]
+    fn rounds_are_done_without_the_owner() {
+        let mut crew = Crew::new(Items::default(), 2).unwrap();
+        for _ in 0..200 {
+            let mut job = crew.job();
+            *job = Items::default();
+            job.done.resize_with(50, AtomicUsize::default);
+            drop(job);
+            crew.start();
+            while !crew.is_done() {
+                thread::yield_now();
+            }
+            let done = crew.shared.job().done.iter().all(|n| n.load(Ordering::SeqCst) == 1);
+            assert!(done);
             crew.finish().unwrap();
         }
     }

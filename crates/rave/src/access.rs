@@ -45,9 +45,9 @@ impl Context {
     /// The pixels that a context draws into: its back buffer. Waits for all
     /// drawing.
     pub fn draw_buffer(&mut self, context: crate::DrawContextId) -> Option<Shown> {
-        let (context, queue) = self.context_and_queue(context.0)?;
+        let (context, painter) = self.context_and_painter(context.0)?;
         let (id, rect) = (context.id.0, context.bounds());
-        let elements = queue.with(move |painter| painter.read_color(id, rect))?;
+        let elements = painter.read_color(id, rect);
         Some(Shown::new(rect.x1, rect.y1, context.pixel_type, &elements))
     }
 
@@ -58,7 +58,7 @@ impl Context {
         rect: &RaveRect,
         pixels: &[u8],
     ) -> Result<(), RaveError> {
-        let (context, queue) = self.context_and_queue(id).ok_or(RaveError::Parameter)?;
+        let (context, painter) = self.context_and_painter(id).ok_or(RaveError::Parameter)?;
         if !std::mem::take(&mut context.draw_buffer_accessed) {
             return Err(RaveError::Failure);
         }
@@ -68,7 +68,7 @@ impl Context {
         }
         let bytes = context.pixel_type.bits() as usize / 8;
         let elements = elements_inside(rect, &inside, bytes, pixels)?;
-        queue.with(move |painter| painter.write_color(id, inside, &elements));
+        painter.write_color(id, inside, &elements);
         Ok(())
     }
 
@@ -89,9 +89,9 @@ impl Context {
     /// The depths that a context compares with: z, or 1/w under PerspectiveZ.
     /// Waits for all drawing. `None` without a z buffer.
     pub fn z_buffer(&mut self, context: crate::DrawContextId) -> Option<ZBuffer> {
-        let (context, queue) = self.context_and_queue(context.0)?;
+        let (context, painter) = self.context_and_painter(context.0)?;
         let (id, rect, plane) = (context.id.0, context.bounds(), context.plane());
-        let depths = queue.with(move |painter| painter.read_depth(id, plane, rect))?;
+        let depths = painter.read_depth(id, plane, rect);
         let elements = match plane {
             Plane::None => return None,
             Plane::Z16 => depths.iter().flat_map(|&z| (z as u16).to_le_bytes()).collect(),
@@ -110,7 +110,7 @@ impl Context {
         rect: &RaveRect,
         depths: &[u8],
     ) -> Result<(), RaveError> {
-        let (context, queue) = self.context_and_queue(id).ok_or(RaveError::Parameter)?;
+        let (context, painter) = self.context_and_painter(id).ok_or(RaveError::Parameter)?;
         if !std::mem::take(&mut context.z_buffer_accessed) {
             return Err(RaveError::Failure);
         }
@@ -123,17 +123,16 @@ impl Context {
         if plane == Plane::Deep {
             elements.iter_mut().for_each(|z| *z >>= 8);
         }
-        queue.with(move |painter| painter.write_depth(id, plane, inside, &elements));
+        painter.write_depth(id, plane, inside, &elements);
         Ok(())
     }
 
     /// The contents of the program's memory, which the next frame is composed
     /// with.
     pub(crate) fn window_contents(&mut self, id: u32, pixels: &[u8]) -> Result<(), RaveError> {
-        let (context, queue) = self.context_and_queue(id).ok_or(RaveError::Parameter)?;
-        queue.sync();
+        let (context, painter) = self.context_and_painter(id).ok_or(RaveError::Parameter)?;
         let bytes = context.pixel_type.bits() as usize / 8;
-        let mut front = context.front();
+        let front = painter.front(id, true).ok_or(RaveError::Parameter)?;
         if pixels.len() != front.elements.len() * bytes {
             return Err(RaveError::Parameter);
         }
@@ -180,16 +179,14 @@ impl Context {
     /// Copies frames into the pictures that are made from them.
     pub(crate) fn refresh_pictures(&mut self) {
         self.has_stale = false;
-        let Some(queue) = &mut self.queue else { return };
+        let Some(painter) = &mut self.painter else { return };
         let pictures = self.objects.textures.values_mut().chain(self.objects.bitmaps.values_mut());
         for picture in pictures.filter(|picture| picture.is_stale) {
             picture.is_stale = false;
             let Source::Context(source) = picture.source else { continue };
             let Some(context) = self.contexts.get(&source.0) else { continue };
             let (id, rect, format) = (context.id.0, context.bounds(), context.format);
-            let Some(elements) = queue.with(move |painter| painter.read_color(id, rect)) else {
-                continue;
-            };
+            let elements = painter.read_color(id, rect);
             let argb = elements.iter().map(|&element| unpack(format, element));
             let pixels: Vec<u8> = argb.flat_map(u32::to_le_bytes).collect();
             picture.levels = vec![Image { width: rect.x1, height: rect.y1, pixels: pixels.into() }];

@@ -19,8 +19,8 @@ use crate::handle::{BitmapId, DrawContextId, EngineId, TextureId};
 use crate::manager::Manager;
 use crate::memory::MemoryConfig;
 use crate::objects::Objects;
+use crate::painter::Painter;
 use crate::pixel::PixelType;
-use crate::queue::Queue;
 use crate::texture::Picture;
 use crate::vertex::{DeviceValue, ImageValue, RaveRect, VGouraud, VMultiTexture, VTexture};
 
@@ -38,7 +38,8 @@ const MAX_VERTICES: usize = 1 << 24;
 pub struct RaveConfig {
     /// How the engine draws; none of it changes a pixel.
     pub device: DeviceConfig,
-    /// Draws frames while the program goes on. It changes no pixel.
+    /// Draws frames while the program goes on, on one thread more where the device
+    /// has only the caller's. It changes no pixel.
     pub asynchronous: bool,
     /// The modelled board's memory for textures.
     pub memory: MemoryConfig,
@@ -65,7 +66,7 @@ pub struct Context {
     config: RaveConfig,
     pub(crate) manager: Manager,
     /// The renderer, once there is something to draw on.
-    pub(crate) queue: Option<Queue>,
+    pub(crate) painter: Option<Painter>,
     pub(crate) objects: Objects,
     pub(crate) contexts: BTreeMap<u32, DrawContext>,
     /// Objects of the application's engines.
@@ -87,7 +88,7 @@ impl Context {
     pub fn new(config: RaveConfig) -> Context {
         Context {
             manager: Manager::new(&config),
-            queue: None,
+            painter: None,
             objects: Objects::new(config.memory),
             contexts: BTreeMap::new(),
             foreign: Foreign::default(),
@@ -237,7 +238,7 @@ impl Context {
             Call::Sync { context } => Reply::Status(self.sync(*context)),
             Call::Busy { context } => {
                 let exists = self.contexts.contains_key(context);
-                Reply::Busy(exists && self.queue.as_ref().is_some_and(Queue::is_busy))
+                Reply::Busy(exists && self.is_busy())
             }
             Call::SwapBuffers { context, dirty } => {
                 Reply::Status(self.swap_buffers(*context, dirty.as_ref()))
@@ -431,16 +432,17 @@ impl Context {
 
     /// What a context shows: what its device holds, once all is drawn.
     pub fn shown_by(&mut self, context: DrawContextId) -> Option<Shown> {
-        let (context, queue) = self.context_and_queue(context.0)?;
-        queue.sync();
-        let front = context.front();
-        Some(Shown::new(front.width, front.height, context.pixel_type, &front.elements))
+        self.look(context, true)
     }
 
     /// What a context shows of what is drawn already; it does not wait.
-    pub fn shown_so_far(&self, context: DrawContextId) -> Option<Shown> {
-        let context = self.contexts.get(&context.0)?;
-        let front = context.front();
+    pub fn shown_so_far(&mut self, context: DrawContextId) -> Option<Shown> {
+        self.look(context, false)
+    }
+
+    fn look(&mut self, context: DrawContextId, waits: bool) -> Option<Shown> {
+        let (context, painter) = self.context_and_painter(context.0)?;
+        let front = painter.front(context.id.0, waits)?;
         Some(Shown::new(front.width, front.height, context.pixel_type, &front.elements))
     }
 
@@ -452,15 +454,15 @@ impl Context {
     /// The part of a context's picture that changed since this was asked last,
     /// among what is drawn already; `None` where nothing did.
     pub fn take_changed(&mut self, context: DrawContextId) -> Option<RaveRect> {
-        self.contexts.get(&context.0)?.front().fresh.take()
+        self.painter.as_mut()?.front(context.0, false)?.fresh.take()
     }
 
     /// The contexts of frames that were completed since this was asked last, once
     /// for each frame. It does not wait.
     pub fn take_completed(&mut self) -> Vec<DrawContextId> {
         let mut completed = Vec::new();
-        let Some(queue) = &self.queue else { return completed };
-        let done = queue.done_count();
+        let Some(painter) = &mut self.painter else { return completed };
+        let done = painter.drawn();
         for context in self.contexts.values_mut() {
             let id = context.id;
             let before = context.pending.len();
@@ -472,8 +474,7 @@ impl Context {
 
     /// Counters of everything drawn so far. Waits for all drawing.
     pub fn counters(&mut self) -> Counters {
-        let queue = self.queue.as_mut();
-        queue.and_then(|queue| queue.with(|painter| painter.counters())).unwrap_or_default()
+        self.painter.as_mut().map(Painter::counters).unwrap_or_default()
     }
 
     /// [`Call::DrawVGouraud`], without copying the vertices.
@@ -543,19 +544,27 @@ fn accessed(picture: &Picture) -> Option<(PixelType, ImageValue)> {
 /// Objects.
 impl Context {
     /// The renderer; started when it is needed first.
-    fn queue(&mut self) -> Result<&mut Queue, RaveError> {
-        match &mut self.queue {
-            Some(queue) => Ok(queue),
+    fn painter(&mut self) -> Result<&mut Painter, RaveError> {
+        match &mut self.painter {
+            Some(painter) => Ok(painter),
             none => {
-                let made = Queue::new(self.config.device.clone(), self.config.asynchronous);
+                let made = Painter::new(self.config.device.clone(), self.config.asynchronous);
                 Ok(none.insert(made.map_err(|_| RaveError::OutOfMemory)?))
             }
         }
     }
 
+    /// Whether something that was asked for is not drawn yet.
+    fn is_busy(&mut self) -> bool {
+        self.painter.as_mut().is_some_and(|painter| painter.drawn() < painter.started())
+    }
+
     /// A context and the renderer.
-    pub(crate) fn context_and_queue(&mut self, id: u32) -> Option<(&mut DrawContext, &mut Queue)> {
-        Some((self.contexts.get_mut(&id)?, self.queue.as_mut()?))
+    pub(crate) fn context_and_painter(
+        &mut self,
+        id: u32,
+    ) -> Option<(&mut DrawContext, &mut Painter)> {
+        Some((self.contexts.get_mut(&id)?, self.painter.as_mut()?))
     }
 
     /// What draws into a context.
@@ -564,15 +573,15 @@ impl Context {
         if self.has_stale {
             self.refresh_pictures();
         }
-        let (context, queue) = (self.contexts.get_mut(&id)?, self.queue.as_mut()?);
-        Some(Pen { context, queue, objects: &mut self.objects })
+        let (context, painter) = (self.contexts.get_mut(&id)?, self.painter.as_mut()?);
+        Some(Pen { context, painter, objects: &mut self.objects })
     }
 
     /// Waits for all drawing.
     pub(crate) fn sync_quietly(&mut self) {
         self.objects.settle();
-        if let Some(queue) = &mut self.queue {
-            queue.sync();
+        if let Some(painter) = &mut self.painter {
+            painter.sync();
         }
     }
 
@@ -632,11 +641,8 @@ impl Context {
         if self.contexts.len() >= MAX_CONTEXTS || used + pixels(&made) > MAX_PIXELS {
             return Err(RaveError::OutOfVideoMemory);
         }
-        let target = made.target_spec();
-        let created = self.queue()?.with(move |painter| painter.create(number, &target).is_ok());
-        if created != Some(true) {
-            return Err(RaveError::OutOfVideoMemory);
-        }
+        let created = self.painter()?.create(number, &made.target_spec(), made.new_front());
+        created.map_err(|_| RaveError::OutOfVideoMemory)?;
         self.objects.numbers = number;
         self.contexts.insert(number, made);
         Ok(number)
@@ -651,8 +657,8 @@ impl Context {
             self.objects.settle();
             self.objects.memory.end_frame();
         }
-        if let Some(queue) = &mut self.queue {
-            queue.with(move |painter| painter.destroy(id));
+        if let Some(painter) = &mut self.painter {
+            painter.destroy(id);
         }
         if self.shown == Some(id) {
             self.shown = None;

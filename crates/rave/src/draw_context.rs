@@ -2,7 +2,7 @@
 //!
 //! Source: RAVE, draw contexts.
 
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::Arc;
 
 use fillrate_engine::PixelFormat;
 use fillrate_engine::state::{Dither, FogTable, Rect};
@@ -46,7 +46,6 @@ pub(crate) struct DrawContext {
     /// Columns and rows of the drawing coordinates.
     pub size: (u32, u32),
     pub state: State,
-    pub front: Arc<Mutex<Front>>,
     /// Between RenderStart and RenderEnd.
     pub in_frame: bool,
     /// Samples of a pixel along one side.
@@ -55,7 +54,7 @@ pub(crate) struct DrawContext {
     error: Option<RaveError>,
     /// Frames that were started.
     pub frames: u64,
-    /// The queue's counts after which frames are complete.
+    /// The renderer's counts after which frames are complete.
     pub pending: Vec<u64>,
     pub vertices_gouraud: Arc<[VGouraud]>,
     pub vertices_texture: Arc<[VTexture]>,
@@ -80,16 +79,12 @@ impl DrawContext {
         let pixel_type = check_device(&spec.device)?;
         let format = surface_format(pixel_type).ok_or(RaveError::NotSupported)?;
         let size = check_rectangles(&spec)?;
-        let shown = spec.scaled.unwrap_or(spec.rect);
-        let clip = spec.clip.as_ref().map(|clip| relative(clip, &shown));
-        let front = Front::new(shown.width(), shown.height(), format, clip);
         Ok(DrawContext {
             id,
             pixel_type,
             format,
             size,
             state: State::new(spec.flags, size.0, size.1),
-            front: Arc::new(Mutex::new(front)),
             in_frame: false,
             scale: 1,
             error: None,
@@ -192,9 +187,11 @@ impl DrawContext {
                 || self.state.int(int::GL_DRAW_BUFFER) & GL_FRONT != 0)
     }
 
-    /// The picture that its device holds.
-    pub fn front(&self) -> MutexGuard<'_, Front> {
-        self.front.lock().unwrap_or_else(PoisonError::into_inner)
+    /// A picture as its device holds it, of zeros.
+    pub fn new_front(&self) -> Front {
+        let shown = self.spec.scaled.unwrap_or(self.spec.rect);
+        let clip = self.spec.clip.as_ref().map(|clip| relative(clip, &shown));
+        Front::new(shown.width(), shown.height(), self.format, clip)
     }
 }
 

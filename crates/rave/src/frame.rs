@@ -5,13 +5,13 @@
 use fillrate_engine::state::Rect;
 
 use crate::RaveError;
-use crate::batch::{ClearPlanes, Command, Present};
 use crate::constants::{context, notice};
 use crate::context::Context;
 use crate::draw_context::DrawContext;
-use crate::queue::Queue;
+use crate::painter::{ClearPlanes, Painter};
+use crate::present::Present;
 use crate::tags::{float, int};
-use crate::translate::{Plane, scissor};
+use crate::translate::scissor;
 use crate::vertex::RaveRect;
 
 type Outcome = Result<(), RaveError>;
@@ -20,27 +20,22 @@ impl Context {
     /// `QARenderStart`.
     pub(crate) fn render_start(&mut self, id: u32, dirty: Option<&RaveRect>, initial: u32) {
         let source = self.cache(id, initial);
-        let Some((context, queue)) = self.context_and_queue(id) else { return };
+        let Some((context, painter)) = self.context_and_painter(id) else { return };
         if context.in_frame {
             // The frame before was not ended.
             context.fail(RaveError::Failure);
         }
         let scale = context.wanted_scale();
-        if scale != context.scale {
-            let rescaled = queue.with(move |painter| painter.rescale(id, scale).is_ok());
-            if rescaled == Some(true) {
-                context.scale = scale;
-            }
+        // Where there is no room, it stays as it was.
+        if scale != context.scale && painter.rescale(id, scale).is_ok() {
+            context.scale = scale;
         }
         context.in_frame = true;
         context.frames += 1;
         context.prepared = None;
         let rect = context.inside(dirty);
         match source {
-            Ok(Some(from)) => {
-                let copy = Command::Copy { from, rect, color: true, depth: true };
-                queue.fill(id, base_plane(context), copy);
-            }
+            Ok(Some(from)) => painter.copy(id, from, rect, [true, true]),
             other => {
                 if let Err(error) = other {
                     context.fail(error);
@@ -49,11 +44,8 @@ impl Context {
                 let keeps =
                     initial == 0 && context.notices[notice::IMAGE_BUFFER_INITIALIZE as usize];
                 let color = (!keeps).then(|| (context.background(), context.dither()));
-                fill(
-                    context,
-                    queue,
-                    ClearPlanes { rect, color, depth: Some(depth_background(context)) },
-                );
+                let depth = Some(depth_background(context));
+                painter.clear(id, &ClearPlanes { rect, color, depth });
             }
         }
         self.objects.memory.start_frame();
@@ -77,7 +69,7 @@ impl Context {
     /// `QARenderEnd`.
     pub(crate) fn render_end(&mut self, id: u32, modified: Option<&RaveRect>) -> Outcome {
         self.objects.settle();
-        let Some((context, queue)) = self.context_and_queue(id) else {
+        let Some((context, painter)) = self.context_and_painter(id) else {
             return Err(RaveError::Parameter);
         };
         if !context.in_frame {
@@ -95,10 +87,11 @@ impl Context {
         let shows = !context.has(context::CACHE) && swaps;
         if shows {
             let rect = context.inside(modified);
-            present(context, queue, rect);
+            present(context, painter, rect);
+        } else {
+            painter.submit();
         }
-        queue.flush();
-        context.pending.push(queue.sent_count());
+        context.pending.push(painter.started());
         let result = context.report();
         if shows {
             self.shown = Some(id);
@@ -111,7 +104,7 @@ impl Context {
     /// `QARenderAbort`.
     pub(crate) fn render_abort(&mut self, id: u32) -> Outcome {
         self.objects.settle();
-        let Some((context, queue)) = self.context_and_queue(id) else {
+        let Some((context, painter)) = self.context_and_painter(id) else {
             return Err(RaveError::Parameter);
         };
         if !context.in_frame {
@@ -119,7 +112,7 @@ impl Context {
         }
         context.in_frame = false;
         (context.draw_buffer_accessed, context.z_buffer_accessed) = (false, false);
-        queue.sync();
+        painter.sync();
         let result = context.report();
         self.objects.memory.end_frame();
         self.objects.memory.sync();
@@ -130,15 +123,16 @@ impl Context {
     /// `QAFlush`.
     pub(crate) fn flush(&mut self, id: u32) -> Outcome {
         self.objects.settle();
-        let Some((context, queue)) = self.context_and_queue(id) else {
+        let Some((context, painter)) = self.context_and_painter(id) else {
             return Err(RaveError::Parameter);
         };
         let shows = context.in_frame && context.draws_to_front();
         if shows {
             let rect = context.bounds();
-            present(context, queue, rect);
+            present(context, painter, rect);
+        } else {
+            painter.submit();
         }
-        queue.flush();
         let result = context.report();
         if shows {
             self.shown = Some(id);
@@ -150,24 +144,23 @@ impl Context {
     pub(crate) fn sync(&mut self, id: u32) -> Outcome {
         let result = self.flush(id);
         self.objects.memory.sync();
-        if let Some((_, queue)) = self.context_and_queue(id) {
-            queue.sync();
+        if let Some((_, painter)) = self.context_and_painter(id) {
+            painter.sync();
         }
         result
     }
 
     /// `QASwapBuffers`.
     pub(crate) fn swap_buffers(&mut self, id: u32, dirty: Option<&RaveRect>) -> Outcome {
-        let Some((context, queue)) = self.context_and_queue(id) else {
+        let Some((context, painter)) = self.context_and_painter(id) else {
             return Err(RaveError::Parameter);
         };
         if context.has(context::CACHE) {
             return Err(RaveError::NotSupported);
         }
         let rect = context.inside(dirty);
-        present(context, queue, rect);
-        queue.flush();
-        context.pending.push(queue.sent_count());
+        present(context, painter, rect);
+        context.pending.push(painter.started());
         self.shown = Some(id);
         Ok(())
     }
@@ -182,7 +175,7 @@ impl Context {
         [color, depth]: [bool; 2],
     ) -> Outcome {
         let source = self.cache(id, initial);
-        let Some((context, queue)) = self.context_and_queue(id) else {
+        let Some((context, painter)) = self.context_and_painter(id) else {
             return Err(RaveError::Parameter);
         };
         if !context.in_frame || depth && context.has(context::NO_Z_BUFFER) {
@@ -193,40 +186,23 @@ impl Context {
             rect = rect.intersect(&scissor);
         }
         match source? {
-            Some(from) => {
-                queue.fill(id, base_plane(context), Command::Copy { from, rect, color, depth });
-            }
+            Some(from) => painter.copy(id, from, rect, [color, depth]),
             None => {
                 let color = color.then(|| (context.background(), context.dither()));
                 let depth = depth.then(|| depth_background(context));
-                fill(context, queue, ClearPlanes { rect, color, depth });
+                painter.clear(id, &ClearPlanes { rect, color, depth });
             }
         }
         Ok(())
     }
 }
 
-/// The plane that clears and copies go through.
-fn base_plane(context: &DrawContext) -> Plane {
-    context.target_spec().plane
-}
-
 fn depth_background(context: &DrawContext) -> f32 {
     context.state.float(float::GL_DEPTH_BG)
 }
 
-fn fill(context: &DrawContext, queue: &mut Queue, clear: ClearPlanes) {
-    if !clear.rect.is_empty() {
-        queue.fill(context.id.0, base_plane(context), Command::Clear(clear));
-    }
-}
-
-fn present(context: &DrawContext, queue: &mut Queue, rect: Rect) {
-    queue.push(Command::Present(Box::new(Present {
-        context: context.id.0,
-        rect,
-        composite: context.state.int(int::BUFFER_COMPOSITE),
-        filter: context.state.int(int::DRAW_CONTEXT_FILTER),
-        front: context.front.clone(),
-    })));
+fn present(context: &DrawContext, painter: &mut Painter, rect: Rect) {
+    let composite = context.state.int(int::BUFFER_COMPOSITE);
+    let filter = context.state.int(int::DRAW_CONTEXT_FILTER);
+    painter.present(context.id.0, Present { rect, composite, filter });
 }

@@ -33,9 +33,7 @@ pub(crate) struct Front {
     pub clip: Option<Vec<RaveRect>>,
     /// Rows from the top, one element each.
     pub elements: Vec<u32>,
-    /// Frames shown.
-    pub frames: u64,
-    /// What was shown since this was taken last.
+    /// The rectangle of what was shown since this was taken last.
     pub fresh: Option<RaveRect>,
 }
 
@@ -43,7 +41,7 @@ impl Front {
     /// A picture of zeros.
     pub fn new(width: u32, height: u32, format: PixelFormat, clip: Option<Vec<RaveRect>>) -> Front {
         let elements = vec![0; (width * height) as usize];
-        Front { width, height, format, clip, elements, frames: 0, fresh: None }
+        Front { width, height, format, clip, elements, fresh: None }
     }
 
     /// Whether the clip shows a pixel.
@@ -63,7 +61,6 @@ impl Front {
 
     /// Adds to what was shown.
     pub fn note(&mut self, rect: RaveRect) {
-        self.frames += 1;
         self.fresh = Some(self.fresh.map_or(rect, |old| RaveRect {
             left: old.left.min(rect.left),
             right: old.right.max(rect.right),

@@ -18,7 +18,6 @@ pub mod notice;
 pub mod tags;
 
 mod access;
-mod batch;
 mod call;
 mod color_table;
 mod context;
@@ -37,7 +36,7 @@ mod manager;
 mod objects;
 mod painter;
 mod pixel;
-mod queue;
+mod present;
 mod state;
 mod texture;
 mod translate;

@@ -48,6 +48,8 @@ impl Objects {
 /// yet.
 #[derive(Debug, Default)]
 pub(crate) struct Usage {
+    /// Tells whose they are; 0 where there are none.
+    serial: u64,
     resources: Vec<ResourceId>,
     polygons: u64,
     /// Runs before.
@@ -55,22 +57,32 @@ pub(crate) struct Usage {
 }
 
 impl Usage {
-    /// Counts a polygon.
+    /// Counts a polygon. Those of one serial, which is not 0, have the same
+    /// resources.
     #[inline]
-    pub fn add(&mut self, resources: &[ResourceId]) {
-        if self.resources != resources {
-            self.close();
-            self.resources.extend_from_slice(resources);
+    pub fn add(&mut self, serial: u64, resources: &[ResourceId]) {
+        if self.serial != serial {
+            self.open(serial, resources);
         }
         self.polygons += 1;
     }
 
+    #[cold]
+    fn open(&mut self, serial: u64, resources: &[ResourceId]) {
+        self.close();
+        self.serial = serial;
+        self.resources.extend_from_slice(resources);
+    }
+
     fn close(&mut self) {
+        let polygons = std::mem::take(&mut self.polygons);
         let resources = std::mem::take(&mut self.resources);
-        if self.polygons > 0 && !resources.is_empty() {
-            self.runs.push((resources, self.polygons));
+        self.serial = 0;
+        match self.runs.last_mut() {
+            _ if polygons == 0 || resources.is_empty() => {}
+            Some((last, count)) if *last == resources => *count += polygons,
+            _ => self.runs.push((resources, polygons)),
         }
-        self.polygons = 0;
     }
 
     fn settle(&mut self, memory: &TextureMemory<()>) {

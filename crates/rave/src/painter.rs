@@ -1,39 +1,44 @@
 //! The renderer: the pixel engine with the surfaces of all contexts.
+//!
+//! The engine draws behind the caller. A frame that is shown is looked at late:
+//! its surface stays as it is, and the next frame is drawn on another where that
+//! one begins with a clear.
 
 use std::collections::BTreeMap;
-use std::sync::PoisonError;
+use std::sync::Arc;
 
-use fillrate_engine::state::{Dither, Rect};
+use fillrate_engine::state::{Dither, MAX_TMUS, Rect};
 use fillrate_engine::target::{pack, unpack};
 use fillrate_engine::{
-    ClearValues, Counters, Cull, Device, DeviceConfig, EngineError, FlushReason, PixelFormat,
-    Surface, SurfaceId,
+    ClearValues, Counters, Cull, Device, DeviceConfig, DrawState, EngineError, FlushReason,
+    PixelFormat, Surface, SurfaceId, Texture, Vertex, VertexExtra,
 };
 
-use crate::batch::{Batch, ClearPlanes, Command, Present};
 use crate::front::Front;
-use crate::translate::Plane;
-use crate::vertex::RaveRect;
+use crate::present::{Present, carry_out, sample};
+use crate::translate::{Plane, Variant};
 
 /// The greatest z in 16 bits.
 pub(crate) const Z16_MAX: f32 = 65_535.0;
 /// The greatest z in 24 bits.
 pub(crate) const DEEP_MAX: f32 = 16_777_215.0;
 
-/// The surfaces of a context.
+/// A corner with all that it may carry.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Corner {
+    pub vertex: Vertex,
+    pub extra: VertexExtra,
+}
+
+/// What a clear writes; absent planes stay.
 #[derive(Clone, Copy, Debug)]
-struct Target {
-    format: PixelFormat,
-    /// Columns and rows of the context.
-    size: (u32, u32),
-    color: SurfaceId,
-    /// z, in 16 or 32 bits.
-    z: Option<SurfaceId>,
-    is_deep: bool,
-    /// 1/w, once the context used it.
-    w: Option<SurfaceId>,
-    /// Surface pixels of a context's pixel.
-    scale: u32,
+pub(crate) struct ClearPlanes {
+    /// Pixels of the context.
+    pub rect: Rect,
+    /// 0xAARRGGBB.
+    pub color: Option<(u32, Dither)>,
+    /// z, 0..=1, and with it the plane of 1/w.
+    pub depth: Option<f32>,
 }
 
 /// What the surfaces of a new context are.
@@ -48,22 +53,114 @@ pub(crate) struct TargetSpec {
     pub scale: u32,
 }
 
+/// The surfaces of a context.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Planes {
+    pub format: PixelFormat,
+    /// Columns and rows of the context.
+    pub size: (u32, u32),
+    /// What is drawn into.
+    color: SurfaceId,
+    /// The frame before, once one was left as it is.
+    spare: Option<SurfaceId>,
+    /// z, in 16 or 32 bits.
+    z: Option<SurfaceId>,
+    is_deep: bool,
+    /// 1/w, once the context used it.
+    w: Option<SurfaceId>,
+    /// Surface pixels of a context's pixel.
+    pub scale: u32,
+}
+
+impl Planes {
+    /// A rectangle of the context in its surfaces.
+    fn scaled(&self, rect: Rect) -> Rect {
+        let n = self.scale;
+        Rect::new(rect.x0 * n, rect.y0 * n, rect.x1 * n, rect.y1 * n)
+    }
+
+    /// Whether a rectangle is the whole context.
+    fn are_covered(&self, rect: Rect) -> bool {
+        rect == Rect::new(0, 0, self.size.0, self.size.1)
+    }
+}
+
+/// A frame that is shown and not in the front yet.
+#[derive(Clone, Copy, Debug)]
+struct Waiting {
+    present: Present,
+    surface: SurfaceId,
+    /// The engine's batch after which the surface holds it.
+    batch: u64,
+}
+
+/// A context's surfaces and what it shows.
+#[derive(Debug)]
+struct Target {
+    planes: Planes,
+    front: Front,
+    /// At most two, the later of which replaces all of the other. The earlier
+    /// one's surface is the one that is drawn into: it is as it was until a
+    /// batch starts after the later one's, which is then complete.
+    waiting: Vec<Waiting>,
+}
+
+impl Target {
+    /// Whether what is shown is what would be drawn over.
+    fn shows_color(&self) -> bool {
+        self.waiting.last().is_some_and(|last| last.surface == self.planes.color)
+    }
+}
+
 /// The pixel engine and its surfaces, by context.
 #[derive(Debug)]
 pub(crate) struct Painter {
     device: Device,
+    /// Nothing is drawn behind the caller.
+    waits: bool,
     targets: BTreeMap<u32, Target>,
-    current: Option<u32>,
+    /// The context and plane that are drawn into, once something is.
+    current: Option<(u32, Plane)>,
+    /// Whose draw state is set, and for which primitives.
+    chosen: Option<(u64, Variant)>,
+    /// Numbers given by [`Painter::serial`].
+    serials: u64,
 }
 
 impl Painter {
-    pub fn new(config: DeviceConfig) -> Result<Painter, EngineError> {
-        Ok(Painter { device: Device::new(config)?, targets: BTreeMap::new(), current: None })
+    /// A renderer without contexts, which draws behind the caller where it is
+    /// asynchronous; then there is a thread besides the caller's.
+    ///
+    /// # Errors
+    /// [`EngineError::Threads`].
+    pub fn new(config: DeviceConfig, asynchronous: bool) -> Result<Painter, EngineError> {
+        let threads = if asynchronous { config.threads.max(2) } else { config.threads };
+        Ok(Painter {
+            device: Device::new(DeviceConfig { threads, ..config })?,
+            waits: !asynchronous,
+            targets: BTreeMap::new(),
+            current: None,
+            chosen: None,
+            serials: 0,
+        })
     }
 
-    /// Makes the surfaces of a context, in place of those that it has.
-    pub fn create(&mut self, context: u32, spec: &TargetSpec) -> Result<(), EngineError> {
-        self.destroy(context);
+    /// Makes the surfaces of a context that shows what `front` holds.
+    ///
+    /// # Errors
+    /// [`EngineError::SurfaceSize`].
+    pub fn create(
+        &mut self,
+        context: u32,
+        spec: &TargetSpec,
+        front: Front,
+    ) -> Result<(), EngineError> {
+        let planes = self.create_planes(spec)?;
+        self.targets.insert(context, Target { planes, front, waiting: Vec::new() });
+        Ok(())
+    }
+
+    fn create_planes(&mut self, spec: &TargetSpec) -> Result<Planes, EngineError> {
         let (width, height) = (spec.width * spec.scale, spec.height * spec.scale);
         let color = self.device.create_surface(width, height, spec.format)?;
         let z_format = match spec.plane {
@@ -72,25 +169,25 @@ impl Painter {
             _ => Some(PixelFormat::Aux16),
         };
         let z = z_format.map(|format| self.device.create_surface(width, height, format));
-        let target = Target {
+        Ok(Planes {
             format: spec.format,
             size: (spec.width, spec.height),
             color,
+            spare: None,
             z: z.transpose()?,
             is_deep: spec.plane == Plane::Deep,
             w: None,
             scale: spec.scale,
-        };
-        self.targets.insert(context, target);
-        Ok(())
+        })
     }
 
     /// Gives a context more or fewer samples for each pixel; what it shows stays.
+    ///
+    /// # Errors
+    /// [`EngineError::SurfaceSize`]; then nothing has changed.
     pub fn rescale(&mut self, context: u32, scale: u32) -> Result<(), EngineError> {
-        let Some(old) = self.targets.get(&context).copied() else { return Ok(()) };
-        if old.scale == scale {
-            return Ok(());
-        }
+        self.settle(context, true);
+        let Some(old) = self.planes(context) else { return Ok(()) };
         let all = Rect::new(0, 0, old.size.0, old.size.1);
         let colors = self.read_color(context, all);
         let kind = if old.is_deep { Plane::Deep } else { Plane::Z16 };
@@ -99,7 +196,11 @@ impl Painter {
         let inverses = old.w.map(|_| self.read_depth(context, Plane::InverseW, all));
         let (width, height) = old.size;
         let spec = TargetSpec { width, height, format: old.format, plane, scale };
-        self.create(context, &spec)?;
+        let new = self.create_planes(&spec)?;
+        if let Some(target) = self.targets.get_mut(&context) {
+            target.planes = new;
+        }
+        self.free(&old);
         self.write_color(context, all, &colors);
         self.write_depth(context, plane, all, &depths);
         if let Some(inverses) = inverses {
@@ -110,122 +211,183 @@ impl Painter {
 
     /// Frees the surfaces of a context.
     pub fn destroy(&mut self, context: u32) {
-        self.device.flush(FlushReason::Target);
-        if self.current == Some(context) {
-            self.current = None;
+        if let Some(target) = self.targets.remove(&context) {
+            self.free(&target.planes);
         }
-        let Some(target) = self.targets.remove(&context) else { return };
-        for id in [Some(target.color), target.z, target.w].into_iter().flatten() {
+    }
+
+    fn free(&mut self, planes: &Planes) {
+        self.forget_target();
+        for id in [Some(planes.color), planes.spare, planes.z, planes.w].into_iter().flatten() {
             // They exist: they were made with the target.
             let _ = self.device.destroy_surface(id);
         }
     }
 
-    /// Carries a batch out.
-    pub fn run(&mut self, batch: &Batch) {
-        let (mut triangles, mut extended) = (batch.triangles.iter(), batch.extended.iter());
-        for command in &batch.commands {
-            match command {
-                Command::Target { context, plane } => self.set_target(*context, *plane),
-                Command::State(index) => {
-                    let state = &batch.states[*index as usize];
-                    self.device.set_state(&state.draw, state.textures.clone());
-                }
-                Command::Triangles(count) => {
-                    for [a, b, c] in triangles.by_ref().take(*count as usize) {
-                        self.device.draw_triangle([a, b, c], Cull::Disabled);
-                    }
-                }
-                Command::Extended(count) => {
-                    for corners in extended.by_ref().take(*count as usize) {
-                        let vertices = corners.each_ref().map(|corner| &corner.vertex);
-                        let extras = corners.each_ref().map(|corner| &corner.extra);
-                        self.device.draw_extended(vertices, extras, Cull::Disabled);
-                    }
-                }
-                Command::Clear(clear) => self.clear(clear),
-                Command::Copy { from, rect, color, depth } => {
-                    self.copy(*from, *rect, *color, *depth);
-                }
-                Command::Present(present) => self.present(present),
-            }
+    /// Starts to draw what was collected.
+    pub fn submit(&mut self) {
+        if self.waits {
+            self.sync();
+        } else {
+            self.device.submit(FlushReason::Swap);
         }
     }
 
-    /// Draws into a context from here on.
-    pub fn set_target(&mut self, context: u32, plane: Plane) {
-        let Some(target) = self.targets.get(&context).copied() else { return };
-        let aux = match plane {
-            Plane::None => None,
-            Plane::Z16 | Plane::Deep => target.z,
-            Plane::InverseW => self.plane_of_w(context),
-        };
-        // Surfaces of one context agree in size.
-        if self.device.set_target(target.color, aux).is_ok() {
-            self.device.set_scale(target.scale);
-            self.current = Some(context);
+    /// Draws everything, and waits for it.
+    pub fn sync(&mut self) {
+        self.device.flush(FlushReason::Explicit);
+    }
+
+    /// How much was started, to be compared with [`Painter::drawn`].
+    pub fn started(&self) -> u64 {
+        self.device.started()
+    }
+
+    /// How much of it is drawn. It does not wait.
+    pub fn drawn(&mut self) -> u64 {
+        self.device.drawn()
+    }
+
+    /// Counters since the start. Waits for all drawing.
+    pub fn counters(&mut self) -> Counters {
+        self.device.counters()
+    }
+
+    fn planes(&self, context: u32) -> Option<Planes> {
+        self.targets.get(&context).map(|target| target.planes)
+    }
+}
+
+/// Drawing.
+impl Painter {
+    /// A number that was not given before.
+    pub fn serial(&mut self) -> u64 {
+        self.serials += 1;
+        self.serials
+    }
+
+    /// Whether triangles are drawn by the draw state that was set with this
+    /// serial and variant.
+    #[inline]
+    pub fn draws_by(&self, serial: u64, variant: &Variant) -> bool {
+        self.chosen.as_ref().is_some_and(|(last, known)| *last == serial && known == variant)
+    }
+
+    /// Draws into a context by a state from here on.
+    pub fn choose(
+        &mut self,
+        (context, plane): (u32, Plane),
+        by: (u64, Variant),
+        state: &DrawState,
+        textures: [Option<Arc<Texture>>; MAX_TMUS],
+    ) {
+        if self.current != Some((context, plane)) {
+            self.set_target(context, plane);
         }
+        self.device.set_state(state, textures);
+        self.chosen = Some(by);
+    }
+
+    /// Draws a triangle by the chosen state.
+    #[inline(always)]
+    pub fn triangle(&mut self, corners: impl FnOnce() -> [Vertex; 3]) {
+        self.device.draw_triangle_made(Cull::Disabled, corners);
+    }
+
+    /// Draws a triangle with all values by the chosen state.
+    pub fn extended(&mut self, corners: &[Corner; 3]) {
+        let vertices = corners.each_ref().map(|corner| &corner.vertex);
+        let extras = corners.each_ref().map(|corner| &corner.extra);
+        self.device.draw_extended(vertices, extras, Cull::Disabled);
+    }
+
+    fn set_target(&mut self, context: u32, plane: Plane) {
+        self.keep_color(context);
+        let aux = match plane {
+            Plane::InverseW => self.plane_of_w(context),
+            _ => self.planes(context).and_then(|planes| planes.z),
+        };
+        let Some(planes) = self.planes(context) else { return };
+        // Surfaces of one context agree in size.
+        let _ = self.device.set_target(planes.color, aux);
+        self.device.set_scale(planes.scale);
+        self.current = Some((context, plane));
+    }
+
+    /// Says target and state again before the next primitive.
+    fn forget_target(&mut self) {
+        (self.current, self.chosen) = (None, None);
     }
 
     /// The plane of 1/w of a context; made where there is none, all far.
     fn plane_of_w(&mut self, context: u32) -> Option<SurfaceId> {
-        let target = self.targets.get_mut(&context)?;
-        if target.w.is_none() {
-            let (width, height) = target.size;
-            let (width, height) = (width * target.scale, height * target.scale);
-            target.w = self.device.create_surface(width, height, PixelFormat::Aux32).ok();
+        let planes = &mut self.targets.get_mut(&context)?.planes;
+        if planes.w.is_none() {
+            let (width, height) = planes.size;
+            let (width, height) = (width * planes.scale, height * planes.scale);
+            planes.w = self.device.create_surface(width, height, PixelFormat::Aux32).ok();
         }
-        target.w
+        planes.w
     }
 
-    /// Fills the current target; what is drawn next needs a target again.
-    fn clear(&mut self, clear: &ClearPlanes) {
-        let Some(target) = self.current.and_then(|id| self.targets.get(&id)).copied() else {
+    /// Fills a rectangle of a context.
+    pub fn clear(&mut self, context: u32, clear: &ClearPlanes) {
+        if clear.rect.is_empty() {
             return;
-        };
-        let n = target.scale;
-        let rect = clear.rect;
-        let rect = Rect::new(rect.x0 * n, rect.y0 * n, rect.x1 * n, rect.y1 * n);
-        let aux = clear.depth.map(|z| z_element(z, target.is_deep));
-        if clear.depth.is_some() && target.w.is_some() {
-            let _ = self.device.set_target(target.color, target.w);
+        }
+        if clear.color.is_some() {
+            self.prepare_color(context, clear.rect);
+        }
+        let Some(planes) = self.planes(context) else { return };
+        self.forget_target();
+        let rect = planes.scaled(clear.rect);
+        if clear.depth.is_some() {
+            self.clear_w(&planes, rect);
+        }
+        let aux = clear.depth.filter(|_| planes.z.is_some());
+        let aux = aux.map(|z| z_element(z, planes.is_deep));
+        let _ = self.device.set_target(planes.color, planes.z);
+        self.device.clear(rect, ClearValues { color: clear.color, aux });
+    }
+
+    /// Sets 1/w to infinitely far, where there is such a plane.
+    fn clear_w(&mut self, planes: &Planes, rect: Rect) {
+        if planes.w.is_some() {
+            let _ = self.device.set_target(planes.color, planes.w);
             self.device.clear(rect, ClearValues { color: None, aux: Some(0) });
         }
-        let _ = self.device.set_target(target.color, target.z);
-        self.device.clear(
-            rect,
-            ClearValues { color: clear.color, aux: aux.filter(|_| target.z.is_some()) },
-        );
     }
 
-    /// Copies planes of another context of the same size into the current one.
-    fn copy(&mut self, from: u32, rect: Rect, color: bool, depth: bool) {
-        let Some(to) = self.current.and_then(|id| self.targets.get(&id)).copied() else { return };
-        let Some(from_target) = self.targets.get(&from).copied() else { return };
-        if depth && from_target.w.is_some() {
-            self.current.map(|id| self.plane_of_w(id));
+    /// Copies planes of another context of the same size.
+    pub fn copy(&mut self, context: u32, from: u32, rect: Rect, [color, depth]: [bool; 2]) {
+        if rect.is_empty() {
+            return;
         }
-        let to = self.current.and_then(|id| self.targets.get(&id)).copied().unwrap_or(to);
-        let scales = (from_target.scale, to.scale);
         if color {
-            let formats = (from_target.format, to.format);
-            self.copy_surface((from_target.color, to.color), scales, rect, Some(formats));
+            self.prepare_color(context, rect);
+        }
+        let Some(source) = self.planes(from) else { return };
+        if depth && source.w.is_some() {
+            self.plane_of_w(context);
+        }
+        let Some(to) = self.planes(context) else { return };
+        self.forget_target();
+        // Surfaces are written at once: what is drawn is seen first.
+        self.sync();
+        let scales = (source.scale, to.scale);
+        if color {
+            let formats = (source.format, to.format);
+            self.copy_surface((source.color, to.color), scales, rect, Some(formats));
         }
         if depth {
-            if let (Some(a), Some(b)) = (from_target.z, to.z)
-                && from_target.is_deep == to.is_deep
+            if let (Some(a), Some(b)) = (source.z, to.z)
+                && source.is_deep == to.is_deep
             {
                 self.copy_surface((a, b), scales, rect, None);
             }
-            match (from_target.w, to.w) {
+            match (source.w, to.w) {
                 (Some(a), Some(b)) => self.copy_surface((a, b), scales, rect, None),
-                (None, Some(b)) => {
-                    let n = to.scale;
-                    let rect = Rect::new(rect.x0 * n, rect.y0 * n, rect.x1 * n, rect.y1 * n);
-                    let _ = self.device.set_target(to.color, Some(b));
-                    self.device.clear(rect, ClearValues { color: None, aux: Some(0) });
-                }
-                _ => {}
+                _ => self.clear_w(&to, to.scaled(rect)),
             }
         }
     }
@@ -261,10 +423,13 @@ impl Painter {
             }
         }
     }
+}
 
+/// Reading and writing pixels. All that was drawn is seen.
+impl Painter {
     /// The colours of a rectangle inside a context, as elements.
     pub fn read_color(&mut self, context: u32, rect: Rect) -> Vec<u32> {
-        let Some(target) = self.targets.get(&context).copied() else { return Vec::new() };
+        let Some(target) = self.planes(context) else { return Vec::new() };
         let Ok(surface) = self.device.surface(target.color) else { return Vec::new() };
         let mut out = Vec::with_capacity(rect.area() as usize);
         let mut row = vec![0; rect.x1 as usize];
@@ -281,7 +446,8 @@ impl Painter {
 
     /// Writes elements into a rectangle inside a context.
     pub fn write_color(&mut self, context: u32, rect: Rect, elements: &[u32]) {
-        let Some(target) = self.targets.get(&context).copied() else { return };
+        self.keep_color(context);
+        let Some(target) = self.planes(context) else { return };
         self.write(target.color, target.scale, rect, elements);
     }
 
@@ -304,7 +470,7 @@ impl Painter {
     }
 
     fn depth_surface(&mut self, context: u32, plane: Plane) -> Option<(SurfaceId, u32)> {
-        let target = *self.targets.get(&context)?;
+        let target = self.planes(context)?;
         let id = match plane {
             Plane::None => None,
             Plane::Z16 | Plane::Deep => target.z,
@@ -324,52 +490,87 @@ impl Painter {
             }
         }
     }
-
-    /// Counters since the start.
-    pub fn counters(&mut self) -> Counters {
-        self.device.counters()
-    }
-
-    fn present(&mut self, present: &Present) {
-        let Some(target) = self.targets.get(&present.context).copied() else { return };
-        let Ok(surface) = self.device.surface(target.color) else { return };
-        let mut front = present.front.lock().unwrap_or_else(PoisonError::into_inner);
-        let shown = front_rect(&front, target.size, present.rect);
-        let same_size = (front.width, front.height) == target.size;
-        let plain = same_size && target.scale == 1 && front.clip.is_none();
-        if plain && present.composite == 0 {
-            copy_rows(surface, &mut front, &shown);
-            front.note(shown);
-            return;
-        }
-        for y in shown.top as u32..shown.bottom as u32 {
-            for x in shown.left as u32..shown.right as u32 {
-                if front.clip.is_some() && !front.shows(x, y) {
-                    continue;
-                }
-                let element = if same_size {
-                    sample(surface, &target, x, y)
-                } else {
-                    resample(surface, &target, &front, present.filter, x, y)
-                };
-                front.put(x, y, element, present.composite);
-            }
-        }
-        front.note(shown);
-    }
 }
 
-/// Shows a rectangle as it is; it lies inside both.
-fn copy_rows(surface: &Surface, front: &mut Front, rect: &RaveRect) {
-    let (left, right) = (rect.left as usize, rect.right as usize);
-    let mut scratch = vec![0; if left > 0 { right } else { 0 }];
-    let rows = front.elements.chunks_exact_mut(front.width as usize).enumerate();
-    for (y, row) in rows.skip(rect.top as usize).take(rect.height() as usize) {
-        if left == 0 {
-            surface.read_row(y as u32, &mut row[..right]);
+/// Showing.
+impl Painter {
+    /// Shows a rectangle of a context.
+    pub fn present(&mut self, context: u32, present: Present) {
+        self.submit();
+        self.forget_target();
+        let Some(target) = self.targets.get_mut(&context) else { return };
+        let color = target.planes.color;
+        // What is shown twice was drawn when it was shown first.
+        let again = target.waiting.last().filter(|last| last.surface == color);
+        let batch = again.map_or(self.device.started(), |last| last.batch);
+        let (is_again, replaced) = (again.is_some(), target.waiting.last());
+        if replaced.is_some_and(|last| !present.replaces(&last.present)) {
+            self.settle(context, is_again);
+        } else if is_again {
+            target.waiting.pop();
+        }
+        let Some(target) = self.targets.get_mut(&context) else { return };
+        // What was on this surface before has been drawn over.
+        target.waiting.retain(|waiting| waiting.surface != color);
+        target.waiting.push(Waiting { present, surface: color, batch });
+    }
+
+    /// What a context shows: of all that was drawn, or of what is drawn already.
+    pub fn front(&mut self, context: u32, waits: bool) -> Option<&mut Front> {
+        self.settle(context, waits);
+        Some(&mut self.targets.get_mut(&context)?.front)
+    }
+
+    /// Brings what is shown into the front: all of it, or what is drawn already.
+    fn settle(&mut self, context: u32, waits: bool) {
+        if self.targets.get(&context).is_none_or(|target| target.waiting.is_empty()) {
+            return;
+        }
+        if waits {
+            self.sync();
+        }
+        let drawn = self.device.drawn();
+        let Some(Target { planes, front, waiting }) = self.targets.get_mut(&context) else {
+            return;
+        };
+        let Some(last) = waiting.iter().rposition(|waiting| waiting.batch <= drawn) else { return };
+        // It replaces all before.
+        let Waiting { present, surface, .. } = waiting[last];
+        waiting.drain(..=last);
+        // What is collected for the surface may be the next frame.
+        if let Ok(surface) = self.device.drawn_surface(surface) {
+            carry_out(&present, surface, planes, front);
+        }
+    }
+
+    /// Called before colours of a rectangle are replaced.
+    fn prepare_color(&mut self, context: u32, rect: Rect) {
+        if self.planes(context).is_some_and(|planes| planes.are_covered(rect)) {
+            self.renew_color(context);
         } else {
-            surface.read_row(y as u32, &mut scratch);
-            row[left..right].copy_from_slice(&scratch[left..]);
+            self.keep_color(context);
+        }
+    }
+
+    /// Called before all colours are replaced: what is shown is left as it is,
+    /// and drawing goes to the other surface.
+    fn renew_color(&mut self, context: u32) {
+        let Some(target) = self.targets.get_mut(&context).filter(|t| t.shows_color()) else {
+            return;
+        };
+        let planes = &mut target.planes;
+        let (width, height) = (planes.size.0 * planes.scale, planes.size.1 * planes.scale);
+        let made = || self.device.create_surface(width, height, planes.format).ok();
+        match planes.spare.or_else(made) {
+            Some(spare) => planes.spare = Some(std::mem::replace(&mut planes.color, spare)),
+            None => self.settle(context, true),
+        }
+    }
+
+    /// Called before some colours are changed: what is shown is copied first.
+    fn keep_color(&mut self, context: u32) {
+        if self.targets.get(&context).is_some_and(Target::shows_color) {
+            self.settle(context, true);
         }
     }
 }
@@ -385,80 +586,4 @@ fn covers(rect: Rect, surface: &Surface, scale: u32) -> bool {
 /// z as the plane holds it.
 pub(crate) fn z_element(z: f32, is_deep: bool) -> u32 {
     (z.clamp(0.0, 1.0) * if is_deep { DEEP_MAX } else { Z16_MAX }) as u32
-}
-
-/// A context's pixel: the mean of its samples.
-fn sample(surface: &Surface, target: &Target, x: u32, y: u32) -> u32 {
-    match target.scale {
-        1 => surface.get(x, y),
-        n => mean(surface, target.format, Rect::new(x * n, y * n, (x + 1) * n, (y + 1) * n)),
-    }
-}
-
-/// The mean colour of a rectangle of a surface, each channel to the nearest.
-fn mean(surface: &Surface, format: PixelFormat, rect: Rect) -> u32 {
-    let mut sums = [0u32; 4];
-    for y in rect.y0..rect.y1 {
-        for x in rect.x0..rect.x1 {
-            let channels = unpack(format, surface.get(x, y)).to_be_bytes();
-            for (sum, channel) in sums.iter_mut().zip(channels) {
-                *sum += u32::from(channel);
-            }
-        }
-    }
-    let count = rect.area().max(1) as u32;
-    let argb = u32::from_be_bytes(sums.map(|sum| ((sum + count / 2) / count) as u8));
-    pack(format, argb, Dither::Off, 0, 0)
-}
-
-/// The part of the front that a rectangle of the context reaches.
-fn front_rect(front: &Front, (width, height): (u32, u32), rect: Rect) -> RaveRect {
-    let low = |v: u32, to: u32, from: u32| (u64::from(v) * u64::from(to) / u64::from(from)) as i32;
-    let high = |v: u32, to: u32, from: u32| {
-        (u64::from(v) * u64::from(to)).div_ceil(u64::from(from)).min(u64::from(to)) as i32
-    };
-    RaveRect {
-        left: low(rect.x0, front.width, width),
-        right: high(rect.x1, front.width, width),
-        top: low(rect.y0, front.height, height),
-        bottom: high(rect.y1, front.height, height),
-    }
-}
-
-/// A pixel of a front of another size than the context: the mean where the
-/// context is larger, else the nearest pixel or, with a better filter, four.
-fn resample(surface: &Surface, target: &Target, front: &Front, filter: u32, x: u32, y: u32) -> u32 {
-    let (width, height) = (surface.width(), surface.height());
-    let span = |v: u32, from: u32, to: u32| {
-        let low = (u64::from(v) * u64::from(from) / u64::from(to)) as u32;
-        let high = (u64::from(v + 1) * u64::from(from)).div_ceil(u64::from(to)) as u32;
-        (low, high.clamp(low + 1, from))
-    };
-    let ((x0, x1), (y0, y1)) = (span(x, width, front.width), span(y, height, front.height));
-    let shrinks = width > front.width || height > front.height;
-    if shrinks || filter == 0 {
-        let rect =
-            if shrinks { Rect::new(x0, y0, x1, y1) } else { Rect::new(x0, y0, x0 + 1, y0 + 1) };
-        return mean(surface, target.format, rect);
-    }
-    let ((x0, x1, fx), (y0, y1, fy)) =
-        (neighbours(x, width, front.width), neighbours(y, height, front.height));
-    let texel =
-        |x: u32, y: u32| unpack(target.format, surface.get(x, y)).to_be_bytes().map(u32::from);
-    let corners = [texel(x0, y0), texel(x1, y0), texel(x0, y1), texel(x1, y1)];
-    let weights = [(256 - fx) * (256 - fy), fx * (256 - fy), (256 - fx) * fy, fx * fy];
-    let channel = |i: usize| {
-        let sum: u32 = corners.iter().zip(weights).map(|(corner, weight)| corner[i] * weight).sum();
-        ((sum + 0x8000) >> 16) as u8
-    };
-    pack(target.format, u32::from_be_bytes([0, 1, 2, 3].map(channel)), Dither::Off, 0, 0)
-}
-
-/// The two source pixels around a pixel's centre, and the second one's weight
-/// in 256ths.
-fn neighbours(v: u32, from: u32, to: u32) -> (u32, u32, u32) {
-    // Of 512ths of a source pixel, from the first one's centre.
-    let at = (i64::from(2 * v + 1) * i64::from(from) * 256 / i64::from(to) - 256).max(0);
-    let first = ((at / 512) as u32).min(from - 1);
-    (first, (first + 1).min(from - 1), (at % 512 / 2) as u32)
 }

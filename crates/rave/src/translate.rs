@@ -60,8 +60,6 @@ pub(crate) struct Variant {
     /// A diffuse colour is above 1.
     pub bright: bool,
     pub fog: FogSource,
-    /// Fragments may get a z outside its range, by rounding or at the edges.
-    pub z_overflows: bool,
     pub pattern: PatternUse,
 }
 
@@ -115,7 +113,7 @@ pub(crate) fn draw_state(
     let (color_combine, alpha_combine, shade) = combine(state, variant);
     DrawState {
         clip: scissor(state, at.size),
-        depth: depth(state, at.plane, variant.z_overflows),
+        depth: depth(state, at.plane),
         aux_write: if writes_depth(state, at.plane) { AuxWrite::Depth } else { AuxWrite::Nothing },
         units: units(state, at, variant),
         color_combine,
@@ -175,7 +173,7 @@ fn compare_function(number: u32, plane: Plane) -> Option<Compare> {
     })
 }
 
-fn depth(state: &State, plane: Plane, overflows: bool) -> DepthState {
+fn depth(state: &State, plane: Plane) -> DepthState {
     let source = match plane {
         Plane::None | Plane::Z16 => DepthSource::Z,
         Plane::Deep => DepthSource::DeepZ,
@@ -185,9 +183,7 @@ fn depth(state: &State, plane: Plane, overflows: bool) -> DepthState {
         Plane::None => None,
         _ => compare_function(state.int(int::Z_FUNCTION), plane),
     };
-    // Where nothing overflows, the chip's own rule is the same and faster.
-    let z_overflow = if overflows { ZOverflow::Clamp } else { ZOverflow::Wrap };
-    DepthState { source, test, z_overflow, ..DepthState::default() }
+    DepthState { source, test, z_overflow: ZOverflow::Clamp, ..DepthState::default() }
 }
 
 fn writes_depth(state: &State, plane: Plane) -> bool {

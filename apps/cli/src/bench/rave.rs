@@ -174,8 +174,6 @@ impl Drawing for Prepared {
         self.library.execute(&Call::RenderStart { context, dirty: None, initial: 0 });
         self.draw();
         self.library.execute(&Call::RenderEnd { context, modified: None });
-        // A frame that is not complete does not count.
-        self.library.finish();
     }
 
     fn count(&self) -> f64 {

@@ -1,4 +1,4 @@
-//! Reading and writing surfaces. Every access is a flush.
+//! Reading and writing surfaces. Every access but one is a flush.
 
 use super::{Device, FlushReason, SurfaceId};
 use crate::error::EngineError;
@@ -17,6 +17,16 @@ impl Device {
         self.complete_for(id);
         let surface = self.surfaces.get_mut(id.0 as usize).and_then(Option::as_mut);
         surface.ok_or(EngineError::UnknownSurface)
+    }
+
+    /// A surface without what is still collected for it. Waits only where it is
+    /// being drawn on.
+    ///
+    /// # Errors
+    /// [`EngineError::UnknownSurface`].
+    pub fn drawn_surface(&mut self, id: SurfaceId) -> Result<&Surface, EngineError> {
+        self.complete_for(id);
+        self.peek(id)
     }
 
     /// Copies a rectangle of a 16-bit surface out; rows are `stride` elements

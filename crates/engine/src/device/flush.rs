@@ -50,6 +50,20 @@ impl Device {
         }
     }
 
+    /// How many batches were started since the device was made: the number of
+    /// the last one.
+    pub fn started(&self) -> u64 {
+        self.started
+    }
+
+    /// How many of them are drawn. It does not wait.
+    pub fn drawn(&mut self) -> u64 {
+        if self.in_flight.is_some() && self.crew.is_done() {
+            self.complete();
+        }
+        self.started - u64::from(self.in_flight.is_some())
+    }
+
     /// Hands commands and tiles to the crew; without a target they are dropped.
     fn start(&mut self) {
         let (Some(color), aux) = (self.color, self.aux) else { return self.arena.clear() };
@@ -61,6 +75,7 @@ impl Device {
         batch.take(&mut self.arena, self.states.list(), color, aux, self.config.threads);
         drop(batch);
         self.in_flight = Some(targets);
+        self.started += 1;
         self.crew.start();
     }
 

@@ -13,11 +13,11 @@ pub(crate) fn fog_entries(table: &FogTable) -> [i32; 64] {
     core::array::from_fn(|i| i32::from(table.value[i]) | i32::from(table.delta[i]) << 8)
 }
 
-/// A table of [`FogTable::by_w`] as entries that one indexed load reads: the
-/// sample low, the next one high.
-pub(crate) fn fog_samples(table: &FogTable) -> Vec<u64> {
-    let sample = |i: usize| u64::from(table.sample(i));
-    (0..FOG_SAMPLES).map(|i| sample(i) | sample(i + 1) << 32).collect()
+/// A table of [`FogTable::by_w`] as 64 entries: every other sample in the low eight
+/// bits, then the two after it.
+pub(crate) fn fog_samples(table: &FogTable) -> [i32; FOG_SAMPLES / 2] {
+    let sample = |i: usize| i32::from(table.sample(i));
+    core::array::from_fn(|i| sample(2 * i) | sample(2 * i + 1) << 8 | sample(2 * i + 2) << 16)
 }
 
 /// The fog amount, 0..=255, in both halves.
@@ -93,21 +93,24 @@ fn part_left<S: Simd>(
         return fog_factor(s, pass, at, j);
     }
     let w = s.load(&block.w.0[k..]);
-    let (from, to) = s.load_pairs(&pass.pipeline.fog_samples, w.shr(9));
+    let entry = s.lookup64(&pass.pipeline.fog_entries, w.shr(10));
+    // The odd samples begin eight bits later.
+    let samples = entry.sar_each(w.shr(6) & s.splat(8));
+    let (from, to) = (samples & s.splat(0xff), samples.shr(8) & s.splat(0xff));
     let along = w.shr(1) & s.splat(0xff);
-    let sum = from.mul(s.splat(256) - along) + to.mul(along) + s.splat(128);
-    let part = sum.shr(8);
+    let part = (from.shl(8) + (to - from).mul(along) + s.splat(128)).shr(8);
     part | part.shl(16)
 }
 
 /// Mixes `block.color` with the fog colour by the part that stays; alpha stays.
-/// The colour before goes to `block.prefog`.
+/// The colour before goes to `block.prefog` where blending may read it.
 #[inline(always)]
 pub(crate) fn fog_by_part<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
     let Some(fog) = pass.pipeline.state.fog else { return };
     let fog_color = Colors::splat(if fog.drop_fog_color { 0 } else { fog.color & 0xff_ffff });
     let (fog_rb, fog_ga) = (s.splat(fog_color.rb.0[0]), s.splat(fog_color.ga.0[0]));
     let keep = s.splat(if fog.drop_fragment_color { 0 } else { -1 });
+    let blends = pass.pipeline.state.blend.is_some();
     for slot in 0..block.count {
         let at = block.slots[slot];
         for j in (0..STAMP).step_by(S::LANES) {
@@ -115,8 +118,10 @@ pub(crate) fn fog_by_part<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>) {
             let part = part_left(s, block, pass, &fog, &at, [j, k]);
             let rb = s.load(&block.color.rb.0[k..]);
             let ga = s.load(&block.color.ga.0[k..]);
-            s.store(rb, &mut block.prefog.rb.0[k..]);
-            s.store(ga, &mut block.prefog.ga.0[k..]);
+            if blends {
+                s.store(rb, &mut block.prefog.rb.0[k..]);
+                s.store(ga, &mut block.prefog.ga.0[k..]);
+            }
             s.store(lerp_255(s, rb & keep, fog_rb, part), &mut block.color.rb.0[k..]);
             let g = lerp_255(s, ga & keep, fog_ga, part);
             s.store(join(s, g, ga), &mut block.color.ga.0[k..]);

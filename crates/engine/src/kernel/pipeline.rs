@@ -114,9 +114,8 @@ pub(crate) struct Pipeline {
     pub color0: Colors,
     pub color1: Colors,
     pub zero: Colors,
+    /// The fog table as the state's kind of fog reads it.
     pub fog_entries: [i32; 64],
-    /// The table by w; empty where there is none.
-    pub fog_samples: Vec<u64>,
     /// The colour of a pattern's gaps.
     pub background: Colors,
     /// The bits of elements that are written.
@@ -164,10 +163,9 @@ impl Pipeline {
             color0: Colors::splat(state.color0),
             color1: Colors::splat(state.color1),
             zero: Colors::splat(0),
-            fog_entries: fog_entries(&state.fog_table),
-            fog_samples: match state.fog {
+            fog_entries: match state.fog {
                 Some(Fog { amount: FogAmount::ByW, .. }) => fog_samples(&state.fog_table),
-                _ => Vec::new(),
+                _ => fog_entries(&state.fog_table),
             },
             background: background(&state),
             write_mask: write_mask(&state, format),

@@ -6,6 +6,7 @@ use super::Pen;
 use super::prepare::bind_bitmap;
 use super::triangle::is_finite_gouraud;
 use crate::RaveError;
+use crate::painter::Corner;
 use crate::tags::float;
 use crate::translate::{Paint, PatternUse, Sampled, Variant};
 use crate::vertex::VGouraud;
@@ -20,7 +21,7 @@ impl Pen<'_> {
             return self.context.fail(RaveError::Parameter);
         }
         let Some(bound) = bind_bitmap(self.context, self.objects, bitmap) else { return };
-        self.objects.usage.add(bound.resource.as_slice());
+        self.objects.usage.add(self.painter.serial(), bound.resource.as_slice());
         let scale_x = self.context.state.float(float::BITMAP_SCALE_X);
         let scale_y = self.context.state.float(float::BITMAP_SCALE_Y);
         if !(scale_x > 0.0 && scale_y > 0.0) {
@@ -37,8 +38,6 @@ impl Pen<'_> {
             opaque: prepared.is_opaque(alpha_is_one && bound.opaque),
             bright: false,
             fog,
-            // Its z is one.
-            z_overflows: false,
             pattern: PatternUse::None,
         };
         let extra = prepared.extra(v.z, v.inv_w, v.a);
@@ -55,17 +54,14 @@ impl Pen<'_> {
         let [a, b] = [corner(left, upper, 0.0, top), corner(right, upper, columns, top)];
         let [c, d] = [corner(left, lower, 0.0, bottom), corner(right, lower, columns, bottom)];
         // The state samples the bitmap in place of the texture.
-        let texture = prepared.around.sampled[0];
-        prepared.around.sampled[0] = Some(Sampled { levels: 1, keyed });
-        prepared.bitmap = Some(bound);
-        prepared.forget(Paint::Bitmap);
+        let sampled = Some(Sampled { levels: 1, keyed });
+        let texture = prepared.exchange_bitmap(self.painter.serial(), Some(bound), sampled);
         self.choose(&variant);
-        self.add_flat([a, b, c], &extra, is_extended);
-        self.add_flat([b, d, c], &extra, is_extended);
+        let corners = |corners: [Vertex; 3]| corners.map(|vertex| Corner { vertex, extra });
+        self.add(corners([a, b, c]), is_extended);
+        self.add(corners([b, d, c]), is_extended);
         if let Some(prepared) = self.context.prepared.as_deref_mut() {
-            prepared.around.sampled[0] = texture;
-            prepared.bitmap = None;
-            prepared.forget(Paint::Bitmap);
+            prepared.exchange_bitmap(self.painter.serial(), None, texture);
         }
     }
 }

@@ -3,18 +3,18 @@
 
 use fillrate_engine::{TmuVertex, Vertex, VertexExtra};
 
-use crate::batch::Corner;
+use crate::painter::Corner;
 
 /// Coordinates have 11 integer bits and a sign.
-const LIMIT: f32 = 2048.0;
+pub(super) const LIMIT: f32 = 2048.0;
 
 /// Pixels around the context that stay.
 const MARGIN: f32 = 32.0;
 
-/// Whether the renderer's coordinates hold a corner.
+/// Whether the renderer's coordinates hold a place.
 #[inline]
-pub(super) fn fits(vertex: &Vertex) -> bool {
-    vertex.x.abs() < LIMIT && vertex.y.abs() < LIMIT
+pub(super) fn fits(x: f32, y: f32) -> bool {
+    x.abs() < LIMIT && y.abs() < LIMIT
 }
 
 /// The polygon's part near a context of this size. No pixel of the context is
@@ -89,7 +89,10 @@ mod tests {
             extra: VertexExtra::default(),
         };
         let polygon = to_guard(&[at(-1e30, 10.0), at(1e30, 0.0), at(100.0, 1e6)], (320, 220));
-        assert!(polygon.len() >= 3 && polygon.iter().all(|corner| fits(&corner.vertex)));
+        assert!(
+            polygon.len() >= 3
+                && polygon.iter().all(|corner| fits(corner.vertex.x, corner.vertex.y))
+        );
         assert!(
             to_guard(&[at(5000.0, 0.0), at(6000.0, 0.0), at(5000.0, 9.0)], (320, 220)).is_empty()
         );

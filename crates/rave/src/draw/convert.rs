@@ -11,14 +11,14 @@ use crate::vertex::{VGouraud, VMultiTexture, VTexture};
 const MAX_DIFFUSE: f32 = 8.0;
 
 /// 0..=1 as 0..=255.
-#[inline]
+#[inline(always)]
 fn byte(value: f32) -> f32 {
     value.clamp(0.0, 1.0) * 255.0
 }
 
 impl Prepared {
     /// A coloured corner. Vertex alpha that is fog leaves the corner opaque.
-    #[inline]
+    #[inline(always)]
     pub(super) fn gouraud(&self, v: &VGouraud) -> Vertex {
         Vertex {
             x: v.x,
@@ -52,9 +52,29 @@ impl Prepared {
         f64::from(z.clamp(0.0, 1.0)) * f64::from(self.fog_max_depth)
     }
 
+    /// The same as [`Prepared::textured`] of a corner with nothing to limit, where
+    /// the state is plain.
+    #[inline(always)]
+    pub(super) fn usual(&self, v: &VTexture, bound: &Bound) -> Vertex {
+        Vertex {
+            x: v.x,
+            y: v.y,
+            r: v.kd_r * 255.0,
+            g: v.kd_g * 255.0,
+            b: v.kd_b * 255.0,
+            a: v.a * 255.0,
+            z: v.z * Z16_MAX,
+            w: v.inv_w * self.w_scale,
+            tmu: [
+                coordinate(v.inv_w, v.u_over_w, v.v_over_w, bound, 1.0),
+                TmuVertex::default(),
+                TmuVertex::default(),
+            ],
+        }
+    }
+
     /// A textured corner, without the coordinates of further layers. `scale`
     /// multiplies all that is divided by w.
-    #[inline(always)]
     pub(super) fn textured(&self, v: &VTexture, bound: &Bound, scale: f32) -> Vertex {
         let diffuse = |kd: f32| kd.clamp(0.0, MAX_DIFFUSE) * 255.0;
         let modulates = self.has(texture_op::MODULATE);
@@ -98,18 +118,21 @@ impl Prepared {
 }
 
 /// Texels to the right and down; v runs up from the last row.
-#[inline]
+#[inline(always)]
 fn coordinate(inv_w: f32, u: f32, v: f32, bound: &Bound, scale: f32) -> TmuVertex {
     let down = if bound.flipped { v } else { inv_w - v };
     TmuVertex { s: u * bound.size[0] * scale, t: down * bound.size[1] * scale, w: inv_w * scale }
 }
+
+/// 1/w that the engine's registers hold well.
+pub(super) const USUAL_W: core::ops::RangeInclusive<f32> = 1.0 / 64.0..=1024.0;
 
 /// A power of two that brings 1/w of a triangle into the range where the
 /// engine's 32 fraction bits and 16 integer bits are plenty; 1 for usual ones.
 #[inline]
 pub(super) fn w_scale(inv_w: [f32; 3]) -> f32 {
     let greatest = inv_w[0].max(inv_w[1]).max(inv_w[2]);
-    if (1.0 / 64.0..=1024.0).contains(&greatest) {
+    if USUAL_W.contains(&greatest) {
         return 1.0;
     }
     if !(f32::MIN_POSITIVE..f32::MAX).contains(&greatest) {

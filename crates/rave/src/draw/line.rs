@@ -8,7 +8,7 @@ use fillrate_engine::state::Axis;
 use super::Pen;
 use super::triangle::is_finite_gouraud;
 use crate::RaveError;
-use crate::batch::Corner;
+use crate::painter::Corner;
 use crate::tags::{float, int};
 use crate::translate::{FogSource, Paint, PatternUse, Variant, has_line_pattern};
 use crate::vertex::VGouraud;
@@ -27,8 +27,8 @@ impl Pen<'_> {
         let at = |x: f32, y: f32| moved(&corners[0], x, y);
         let [a, b] = [at(left, top), at(left + side, top)];
         let [c, d] = [at(left, top + side), at(left + side, top + side)];
-        self.add_corners([a, b, c], is_extended);
-        self.add_corners([b, d, c], is_extended);
+        self.add([a, b, c], is_extended);
+        self.add([b, d, c], is_extended);
     }
 
     /// `QADrawLine`; the pattern starts anew.
@@ -59,19 +59,11 @@ impl Pen<'_> {
         let (ox, oy) = if is_steep { (half, 0.0) } else { (0.0, half) };
         let at = |i: usize, sign: f32| moved(&corners[i], v[i].x + sign * ox, v[i].y + sign * oy);
         let [a, b, c, d] = [at(0, -1.0), at(0, 1.0), at(1, -1.0), at(1, 1.0)];
-        self.add_corners([a, b, c], is_extended);
-        self.add_corners([b, d, c], is_extended);
+        self.add([a, b, c], is_extended);
+        self.add([b, d, c], is_extended);
         // A whole pattern changes nothing.
         let pattern = 16 * self.context.state.int(int::GL_LINE_PATTERN_FACTOR) as i32;
         (passed + last - first) % pattern.max(1)
-    }
-
-    fn add_corners(&mut self, corners: [Corner; 3], is_extended: bool) {
-        if is_extended {
-            self.add_extended(corners);
-        } else {
-            self.add(corners.map(|corner| corner.vertex));
-        }
     }
 
     /// The ends of a line as corners, where it can be drawn.
@@ -102,14 +94,7 @@ fn variant(pen: &Pen<'_>, v: [&VGouraud; 2], fog: FogSource, pattern: PatternUse
     let is_opaque = pen.context.prepared.as_deref().is_some_and(|prepared| {
         prepared.is_opaque(prepared.alpha_fog || v.iter().all(|v| v.a >= 1.0))
     });
-    Variant {
-        paint: Paint::Gouraud,
-        opaque: is_opaque,
-        bright: false,
-        fog,
-        z_overflows: true,
-        pattern,
-    }
+    Variant { paint: Paint::Gouraud, opaque: is_opaque, bright: false, fog, pattern }
 }
 
 /// A corner somewhere else.

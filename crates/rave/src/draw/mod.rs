@@ -12,19 +12,16 @@ mod triangle;
 
 pub(crate) use prepare::Prepared;
 
-use fillrate_engine::{Vertex, VertexExtra};
-
 use crate::RaveError;
-use crate::batch::{Batch, Corner, FullState};
 use crate::draw_context::DrawContext;
 use crate::objects::Objects;
-use crate::queue::Queue;
+use crate::painter::{Corner, Painter};
 use crate::translate::{Variant, draw_state};
 
 /// Draws into one context.
 pub(crate) struct Pen<'a> {
     pub context: &'a mut DrawContext,
-    pub queue: &'a mut Queue,
+    pub painter: &'a mut Painter,
     pub objects: &'a mut Objects,
 }
 
@@ -39,78 +36,62 @@ impl Pen<'_> {
             return false;
         }
         if self.context.prepared.is_none() {
-            let prepared = prepare::prepare(self.context, self.objects);
+            let serial = self.painter.serial();
+            let prepared = prepare::prepare(self.context, self.objects, serial);
             self.context.prepared = Some(Box::new(prepared));
         }
         true
     }
 
     /// Draws what follows in a variant of the current state.
+    #[inline]
     fn choose(&mut self, variant: &Variant) {
-        if self.queue.batch.is_full() {
-            self.queue.flush();
+        let Some(prepared) = self.context.prepared.as_deref() else { return };
+        if !self.painter.draws_by(prepared.serial, variant) {
+            self.change_to(variant);
         }
+    }
+
+    #[cold]
+    fn change_to(&mut self, variant: &Variant) {
         let Some(prepared) = self.context.prepared.as_deref_mut() else { return };
-        self.queue.target(self.context.id.0, prepared.around.plane);
-        if prepared.serial != Some(self.queue.serial) {
-            prepared.serial = Some(self.queue.serial);
-            prepared.variants.clear();
-        }
-        let known = prepared.variants.iter().find(|(known, _)| known == variant);
-        let index = match known {
-            Some((_, index)) => *index,
-            None => {
-                let fog = &self.context.fog_table.1;
-                let draw = draw_state(&self.context.state, &prepared.around, variant, fog);
-                let textures = prepared.textures_of(variant.paint);
-                let index = self.queue.batch.states.len() as u32;
-                self.queue.batch.states.push(FullState { draw, textures });
-                prepared.variants.push((*variant, index));
-                index
+        let place = (self.context.id.0, prepared.around.plane);
+        let by = (prepared.serial, *variant);
+        let textures = prepared.textures_of(variant.paint);
+        let variants = &mut prepared.variants;
+        let index = variants.iter().position(|(known, _)| known == variant).unwrap_or_else(|| {
+            // Lines with a pattern are all different.
+            if variants.len() >= MAX_VARIANTS {
+                variants.clear();
             }
-        };
-        self.queue.state(index);
+            let fog = &self.context.fog_table.1;
+            let state = draw_state(&self.context.state, &prepared.around, variant, fog);
+            variants.push((*variant, state));
+            variants.len() - 1
+        });
+        self.painter.choose(place, by, &variants[index].1, textures);
     }
 
     /// Adds a triangle by the chosen variant; it may reach beyond what the
     /// renderer's coordinates hold.
-    #[inline(always)]
-    fn add(&mut self, corners: [Vertex; 3]) {
-        if corners.iter().all(clip::fits) {
-            return self.queue.batch.triangle(corners);
+    fn add(&mut self, corners: [Corner; 3], is_extended: bool) {
+        if corners.iter().all(|Corner { vertex, .. }| clip::fits(vertex.x, vertex.y)) {
+            return self.add_inside(&corners, is_extended);
         }
-        self.add_near(corners);
-    }
-
-    /// Adds what of a triangle is near the context.
-    #[cold]
-    fn add_near(&mut self, corners: [Vertex; 3]) {
-        let corners = corners.map(|vertex| Corner { vertex, ..Corner::default() });
-        self.add_part(&corners, |batch, corners| batch.triangle(corners.map(|c| c.vertex)));
-    }
-
-    /// The same with the values beyond the engine's own.
-    fn add_extended(&mut self, corners: [Corner; 3]) {
-        if corners.iter().all(|corner| clip::fits(&corner.vertex)) {
-            return self.queue.batch.extended(corners);
-        }
-        self.add_part(&corners, Batch::extended);
-    }
-
-    /// Adds the part of a triangle near the context.
-    fn add_part(&mut self, corners: &[Corner; 3], add: fn(&mut Batch, [Corner; 3])) {
-        let polygon = clip::to_guard(corners, self.context.size);
+        let polygon = clip::to_guard(&corners, self.context.size);
         for i in 1..polygon.len().saturating_sub(1) {
-            add(&mut self.queue.batch, [polygon[0], polygon[i], polygon[i + 1]]);
+            self.add_inside(&[polygon[0], polygon[i], polygon[i + 1]], is_extended);
         }
     }
 
-    /// Adds corners that share their values beyond the engine's own.
-    fn add_flat(&mut self, corners: [Vertex; 3], extra: &VertexExtra, is_extended: bool) {
+    fn add_inside(&mut self, corners: &[Corner; 3], is_extended: bool) {
         if is_extended {
-            self.add_extended(corners.map(|vertex| Corner { vertex, extra: *extra }));
+            self.painter.extended(corners);
         } else {
-            self.add(corners);
+            self.painter.triangle(|| corners.map(|corner| corner.vertex));
         }
     }
 }
+
+/// Draw states that are kept of a context's state.
+const MAX_VARIANTS: usize = 16;

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use fillrate_engine::Texture;
 use fillrate_engine::state::MAX_TMUS;
+use fillrate_engine::{DrawState, Texture};
 
 use crate::RaveError;
 use crate::constants::{fog, texture_op};
@@ -16,8 +16,8 @@ use crate::state::unit_byte;
 use crate::tags::{float, int};
 use crate::texture::Decoding;
 use crate::translate::{
-    FogSource, Paint, Plane, Sampled, Surroundings, Variant, always_replaces, clamps, layer_count,
-    opaque_alpha_replaces,
+    FogSource, Paint, PatternUse, Plane, Sampled, Surroundings, Variant, always_replaces, clamps,
+    layer_count, opaque_alpha_replaces,
 };
 
 /// A texture as vertices see it.
@@ -56,9 +56,12 @@ pub(crate) struct Prepared {
     pub opaque_alpha: bool,
     /// Nothing is left of the destination.
     pub always_opaque: bool,
-    /// The batch that the variants' indices are of.
-    pub serial: Option<u64>,
-    pub variants: Vec<(Variant, u32)>,
+    /// Corners of usual values need no more than [`Prepared::usual`].
+    pub is_plain: bool,
+    /// Tells it from all others.
+    pub serial: u64,
+    /// Draw states made so far.
+    pub variants: Vec<(Variant, DrawState)>,
 }
 
 /// Factor of 1/w where it is the depth: most of the register's 48 bits are used
@@ -66,7 +69,7 @@ pub(crate) struct Prepared {
 const DEPTH_SCALE: f32 = (1 << 14) as f32;
 
 /// What drawing needs of a context's state.
-pub(super) fn prepare(context: &mut DrawContext, objects: &mut Objects) -> Prepared {
+pub(super) fn prepare(context: &mut DrawContext, objects: &mut Objects, serial: u64) -> Prepared {
     let key = key(context);
     let mut bound = [const { None }; MAX_TMUS];
     let decoding =
@@ -102,7 +105,7 @@ pub(super) fn prepare(context: &mut DrawContext, objects: &mut Objects) -> Prepa
         plane,
         sampled: core::array::from_fn(|i| sampled(&bound[i], i == 0 && key.is_some())),
     };
-    Prepared {
+    let mut prepared = Prepared {
         layers: layer_count(&around),
         resources: bound.iter().flatten().filter_map(|bound| bound.resource).collect(),
         around,
@@ -119,9 +122,16 @@ pub(super) fn prepare(context: &mut DrawContext, objects: &mut Objects) -> Prepa
         fog_max_depth: state.float(float::FOG_MAX_DEPTH),
         opaque_alpha: opaque_alpha_replaces(state),
         always_opaque: always_replaces(state),
-        serial: None,
+        is_plain: false,
+        serial,
         variants: Vec::new(),
-    }
+    };
+    prepared.is_plain = prepared.bound[0].is_some()
+        && prepared.layers == 0
+        && prepared.op & !(texture_op::MODULATE | texture_op::SHRINK) == 0
+        && !prepared.alpha_fog
+        && !prepared.extends(prepared.fog_source(true));
+    prepared
 }
 
 /// The chroma key, 0x00RRGGBB, where it is on.
@@ -210,9 +220,18 @@ impl Prepared {
         textures
     }
 
-    /// Forgets the draw states of a kind of paint.
-    pub fn forget(&mut self, paint: Paint) {
-        self.variants.retain(|(variant, _)| variant.paint != paint);
+    /// Draws bitmaps with this one in the place of the texture, and gives back what
+    /// was there.
+    pub fn exchange_bitmap(
+        &mut self,
+        serial: u64,
+        bitmap: Option<Bound>,
+        sampled: Option<Sampled>,
+    ) -> Option<Sampled> {
+        self.serial = serial;
+        self.variants.retain(|(variant, _)| variant.paint != Paint::Bitmap);
+        self.bitmap = bitmap;
+        std::mem::replace(&mut self.around.sampled[0], sampled)
     }
 
     /// Whether a texture operation is on.
@@ -242,6 +261,20 @@ impl Prepared {
             // 1/w is scaled for the depth plane, out of the table's range.
             (Some(_), _) if has_w && self.around.plane != Plane::InverseW => FogSource::Fragment,
             _ => FogSource::Vertices,
+        }
+    }
+
+    /// How textured triangles are drawn; `has_w`: all corners have a positive 1/w.
+    #[inline(always)]
+    pub fn variant(&self, has_w: bool, alpha_is_one: bool, bright: bool) -> Variant {
+        let texel_is_opaque = self.bound[0].as_ref().is_some_and(|bound| bound.opaque);
+        let texel_is_opaque = texel_is_opaque || self.has(texture_op::DECAL);
+        Variant {
+            paint: Paint::Texture,
+            opaque: self.is_opaque(alpha_is_one && texel_is_opaque),
+            bright,
+            fog: self.fog_source(has_w),
+            pattern: PatternUse::Area,
         }
     }
 

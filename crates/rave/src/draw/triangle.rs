@@ -1,13 +1,11 @@
 //! Triangles.
 
-use fillrate_engine::{Vertex, VertexExtra};
-
 use super::Pen;
-use super::convert::w_scale;
+use super::clip::{LIMIT, fits};
+use super::convert::{USUAL_W, w_scale};
 use crate::RaveError;
-use crate::batch::Corner;
 use crate::constants::texture_op;
-use crate::painter::Z16_MAX;
+use crate::painter::Corner;
 use crate::translate::{Paint, PatternUse, Variant};
 use crate::vertex::{VGouraud, VTexture};
 
@@ -24,89 +22,89 @@ impl Pen<'_> {
         let alpha_is_one = prepared.alpha_fog || v.iter().all(|v| v.a >= 1.0);
         let fog = prepared.fog_source(v.iter().all(|v| v.inv_w > 0.0));
         let is_extended = prepared.extends(fog);
-        let corners = v.map(|v| prepared.gouraud(v));
-        let extras = is_extended.then(|| v.map(|v| prepared.extra(v.z, v.inv_w, v.a)));
         let variant = Variant {
             paint: Paint::Gouraud,
             opaque: prepared.is_opaque(alpha_is_one),
             bright: false,
             fog,
-            z_overflows: z_overflows(&corners),
             pattern: PatternUse::Area,
         };
         self.choose(&variant);
-        self.add_with(corners, extras);
+        let Some(prepared) = self.context.prepared.as_deref() else { return };
+        if is_extended || !v.iter().all(|v| fits(v.x, v.y)) {
+            let extra = |v: &VGouraud| prepared.extra(v.z, v.inv_w, v.a);
+            let corners = v.map(|v| Corner { vertex: prepared.gouraud(v), extra: extra(v) });
+            return self.add(corners, is_extended);
+        }
+        let [a, b, c] = v;
+        self.painter.triangle(|| [prepared.gouraud(a), prepared.gouraud(b), prepared.gouraud(c)]);
     }
 
     /// `QADrawTriTexture`; `at` says which of the multi-texture parameters are
     /// the corners'.
+    #[inline]
     pub fn tri_texture(&mut self, v: [&VTexture; 3], at: [usize; 3]) {
         if !self.may_draw() {
             return;
         }
         let Some(prepared) = self.context.prepared.as_deref() else { return };
+        if !prepared.is_plain || !are_usual(v) {
+            return self.tri_any(v, at);
+        }
+        let alpha_is_one = v.iter().all(|v| v.a >= 1.0);
+        let variant = prepared.variant(true, alpha_is_one, false);
+        self.objects.usage.add(prepared.serial, &prepared.resources);
+        self.choose(&variant);
+        let Some(prepared) = self.context.prepared.as_deref() else { return };
+        let Some(bound) = &prepared.bound[0] else { return };
+        let [a, b, c] = v;
+        self.painter.triangle(
+            // Otherwise they are made elsewhere, and copied.
+            #[inline(always)]
+            || [prepared.usual(a, bound), prepared.usual(b, bound), prepared.usual(c, bound)],
+        );
+    }
+
+    /// A textured triangle with whatever texture operations, layers and values.
+    fn tri_any(&mut self, v: [&VTexture; 3], at: [usize; 3]) {
+        let Some(prepared) = self.context.prepared.as_deref() else { return };
         if !v.iter().all(|v| is_finite_texture(v, prepared.op)) {
             return self.context.fail(RaveError::Parameter);
         }
-        let Some(bound) = &prepared.bound[0] else {
+        if prepared.bound[0].is_none() {
             return self.tri_without_texture(v);
-        };
-        let params = &self.context.params;
-        if params[..prepared.layers].iter().any(|layer| at.iter().any(|&i| i >= layer.len())) {
+        }
+        let params = &self.context.params[..prepared.layers];
+        if params.iter().any(|layer| at.iter().any(|&i| i >= layer.len())) {
             return self.context.fail(RaveError::Parameter);
         }
-        let fog = prepared.fog_source(v.iter().all(|v| v.inv_w > 0.0));
-        let is_extended = prepared.extends_texture(fog);
-        let scale = w_scale([v[0].inv_w, v[1].inv_w, v[2].inv_w]);
-        let corner = |i: usize| {
-            let mut vertex = prepared.textured(v[i], bound, scale);
-            for (layer, params) in params.iter().enumerate().take(prepared.layers) {
-                let unit = prepared.layers - 1 - layer;
-                vertex.tmu[unit] = prepared.layer_coordinate(layer, &params[at[i]]);
-            }
-            vertex
-        };
-        let corners = [corner(0), corner(1), corner(2)];
-        let extras = is_extended.then(|| v.map(|v| prepared.texture_extra(v)));
-        let texel_is_opaque = bound.opaque || prepared.has(texture_op::DECAL);
+        let has_w = v.iter().all(|v| v.inv_w > 0.0);
         let alpha_is_one = prepared.alpha_fog || v.iter().all(|v| v.a >= 1.0);
         let bright = prepared.has(texture_op::MODULATE)
             && v.iter().any(|v| v.kd_r.max(v.kd_g).max(v.kd_b) > 1.0);
-        let variant = Variant {
-            paint: Paint::Texture,
-            opaque: prepared.is_opaque(alpha_is_one && texel_is_opaque),
-            bright,
-            fog,
-            z_overflows: z_overflows(&corners),
-            pattern: PatternUse::Area,
-        };
-        self.use_textures();
+        let variant = prepared.variant(has_w, alpha_is_one, bright);
+        let is_extended = prepared.extends_texture(variant.fog);
+        self.objects.usage.add(prepared.serial, &prepared.resources);
         self.choose(&variant);
-        self.add_with(corners, extras);
-    }
-
-    /// Adds corners, with values beyond the engine's own where there are any.
-    #[inline(always)]
-    fn add_with(&mut self, corners: [Vertex; 3], extras: Option<[VertexExtra; 3]>) {
-        match extras {
-            None => self.add(corners),
-            Some(extras) => self.add_extended(core::array::from_fn(|i| Corner {
-                vertex: corners[i],
-                extra: extras[i],
-            })),
-        }
+        let Some(prepared) = self.context.prepared.as_deref() else { return };
+        let Some(bound) = &prepared.bound[0] else { return };
+        let params = &self.context.params[..prepared.layers];
+        let scale = w_scale(v.map(|v| v.inv_w));
+        let corner = |i: usize| {
+            let mut vertex = prepared.textured(v[i], bound, scale);
+            for (layer, params) in params.iter().enumerate() {
+                let unit = prepared.layers - 1 - layer;
+                vertex.tmu[unit] = prepared.layer_coordinate(layer, &params[at[i]]);
+            }
+            Corner { vertex, extra: prepared.texture_extra(v[i]) }
+        };
+        self.add([0, 1, 2].map(corner), is_extended);
     }
 
     /// A textured triangle while no texture is set: its diffuse colour.
     fn tri_without_texture(&mut self, v: [&VTexture; 3]) {
         let [a, b, c] = v.map(plain);
         self.tri_gouraud([&a, &b, &c]);
-    }
-
-    /// Counts a polygon for all textures that are set.
-    fn use_textures(&mut self) {
-        let Some(prepared) = self.context.prepared.as_deref() else { return };
-        self.objects.usage.add(&prepared.resources);
     }
 }
 
@@ -115,22 +113,31 @@ pub(super) fn plain(v: &VTexture) -> VGouraud {
     VGouraud { x: v.x, y: v.y, z: v.z, inv_w: v.inv_w, r: v.kd_r, g: v.kd_g, b: v.kd_b, a: v.a }
 }
 
-/// Whether fragments of a triangle may get a z outside 0..=65535: its corners
-/// are moved by a sixteenth of a pixel, its plane is not. Conservative.
-#[inline]
-fn z_overflows([a, b, c]: &[Vertex; 3]) -> bool {
-    let low = a.z.min(b.z).min(c.z);
-    let high = a.z.max(b.z).max(c.z);
-    let span = high - low;
-    if span == 0.0 {
-        return false;
-    }
-    // Where the triangle is an eighth of a pixel high at least, its plane rises
-    // by less than the span in a sixteenth, to either side.
-    let (ab, ac) = ([b.x - a.x, b.y - a.y], [c.x - a.x, c.y - a.y]);
-    let area = (ab[0] * ac[1] - ab[1] * ac[0]).abs();
-    let length = ab[0].abs() + ab[1].abs() + ac[0].abs() + ac[1].abs();
-    !(low >= span && high + span <= Z16_MAX && area * 8.0 >= length)
+/// Whether nothing of the corners has to be limited, scaled or refused: places
+/// within the renderer's coordinates, usual 1/w, and z, alpha and diffuse colours
+/// of 0..=1.
+#[inline(always)]
+fn are_usual([a, b, c]: [&VTexture; 3]) -> bool {
+    (excess(a) | excess(b) | excess(c)) as i32 >= 0
+}
+
+/// A number whose highest bit is on where a vertex is not usual.
+#[inline(always)]
+fn excess(v: &VTexture) -> u32 {
+    const ONE: u32 = 1.0f32.to_bits();
+    const PLACE: u32 = LIMIT.to_bits() - 1;
+    let [low_w, high_w] = [USUAL_W.start().to_bits(), USUAL_W.end().to_bits()];
+    // Floats of one sign are in the order of their bits, numbers before all else.
+    let outside = |bits: u32, low: u32, high: u32| {
+        let above = bits.wrapping_sub(low);
+        (high - low).wrapping_sub(above) | above
+    };
+    let unit = |value: f32| outside(value.to_bits(), 0, ONE);
+    let size = |value: f32, limit: u32| outside(value.abs().to_bits(), 0, limit);
+    let place = size(v.x, PLACE) | size(v.y, PLACE) | unit(v.z);
+    let color = unit(v.a) | unit(v.kd_r) | unit(v.kd_g) | unit(v.kd_b);
+    let texture = size(v.u_over_w, f32::MAX.to_bits()) | size(v.v_over_w, f32::MAX.to_bits());
+    place | color | texture | outside(v.inv_w.to_bits(), low_w, high_w)
 }
 
 /// Whether all of a vertex are numbers that can be drawn with.

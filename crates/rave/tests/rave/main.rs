@@ -9,4 +9,5 @@ mod pixels;
 mod primitives;
 mod replay;
 mod scene;
+mod shown;
 mod textures;
