@@ -5,7 +5,7 @@ use std::sync::Arc;
 use fillrate_engine::state::{DrawState, MAX_TMUS, Rect};
 use fillrate_engine::{
     ClearValues, Cull, Device, DeviceConfig, EngineError, PixelFormat, PixelRun, Registers,
-    SurfaceId, Texture, Vertex, VertexExtra,
+    SurfaceId, Texture, VeriteExtra, VeriteVertex, Vertex, VertexExtra,
 };
 
 use crate::reference::{Reference, Textures};
@@ -18,6 +18,8 @@ pub trait Canvas {
     fn triangle(&mut self, vertices: &[Vertex; 3], cull: Cull);
     /// Sets a triangle up with what its vertices have besides, and draws it.
     fn extended(&mut self, vertices: &[Vertex; 3], extras: &[VertexExtra; 3], cull: Cull);
+    /// Sets a triangle up as the Vérité's and draws it.
+    fn verite(&mut self, corners: &[(VeriteVertex, VeriteExtra); 3]);
     /// Draws a triangle that was set up elsewhere.
     fn launch(&mut self, registers: &Registers);
     /// Draws ready-made fragments.
@@ -55,6 +57,10 @@ impl Canvas for ReferenceCanvas {
 
     fn extended(&mut self, vertices: &[Vertex; 3], extras: &[VertexExtra; 3], cull: Cull) {
         self.reference.extended(&self.state, &self.textures, vertices, extras, cull);
+    }
+
+    fn verite(&mut self, corners: &[(VeriteVertex, VeriteExtra); 3]) {
+        self.reference.verite(&self.state, &self.textures, corners);
     }
 
     fn launch(&mut self, registers: &Registers) {
@@ -181,6 +187,15 @@ impl Canvas for DeviceCanvas {
 
     fn extended(&mut self, vertices: &[Vertex; 3], extras: &[VertexExtra; 3], cull: Cull) {
         self.device.draw_extended(vertices.each_ref(), extras.each_ref(), cull);
+    }
+
+    fn verite(&mut self, corners: &[(VeriteVertex, VeriteExtra); 3]) {
+        if corners.iter().any(|corner| corner.1 != VeriteExtra::default()) {
+            *self.device.draw_verite_extended().expect("the canvas is a target") = *corners;
+        } else {
+            let vertices = corners.map(|corner| corner.0);
+            *self.device.draw_verite().expect("the canvas is a target") = vertices;
+        }
     }
 
     fn launch(&mut self, registers: &Registers) {

@@ -105,16 +105,22 @@ const WIDE_LIMIT: f64 = (1u64 << 51) as f64;
 /// more in magnitude.
 #[inline(always)]
 pub(crate) fn wide_floats<const N: usize>(values: [f32; N]) -> [f64; N] {
+    truncated(values.map(|value| f64::from(value) * (1u64 << WIDE_FRACTION) as f64))
+}
+
+/// Values truncated toward zero; not-a-number where they are 2^51 or more in
+/// magnitude.
+#[inline(always)]
+pub(crate) fn truncated<const N: usize>(values: [f64; N]) -> [f64; N] {
     // Added to a float below 2^52 this leaves no fraction.
     const TO_INTEGER: f64 = (1u64 << 52) as f64;
     let mut out = [0.0; N];
     for (out, value) in out.iter_mut().zip(values) {
-        let scaled = f64::from(value) * (1u64 << WIDE_FRACTION) as f64;
-        let magnitude = scaled.abs();
+        let magnitude = value.abs();
         // To the nearest integer, then down where that was up.
         let nearest = (magnitude + TO_INTEGER) - TO_INTEGER;
         let below = if nearest > magnitude { nearest - 1.0 } else { nearest };
-        *out = if magnitude < WIDE_LIMIT { below.copysign(scaled) } else { f64::NAN };
+        *out = if magnitude < WIDE_LIMIT { below.copysign(value) } else { f64::NAN };
     }
     out
 }

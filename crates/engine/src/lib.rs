@@ -2,8 +2,8 @@
 //!
 //! The engine knows no API. It knows [`Surface`]s of pixels in tiles, immutable
 //! [`Texture`]s, a [`DrawState`] as a plain value, and triangles given either
-//! as [`Vertex`] triples (the engine does the set-up of the chosen chip) or as
-//! [`Registers`] (the caller did it). A [`Device`] collects commands and draws
+//! as triples of [`Vertex`] or [`VeriteVertex`] (the engine does the set-up of
+//! that chip) or as [`Registers`] (the caller did it). A [`Device`] collects commands and draws
 //! them in batches, tile by tile on all its threads and behind the caller, with
 //! the same bits and counts for every thread count, tile size and SIMD level.
 //!
@@ -31,7 +31,7 @@ pub use device::{ClearValues, Device, DeviceConfig, FlushReason, PixelRun, Surfa
 pub use error::EngineError;
 pub use setup::{
     Cull, Outcome, PALETTE_COORDINATE, PalettePrimitive, PaletteVertex, Param, RawPrimitive,
-    RawVertex, Registers, TmuVertex, Vertex, VertexExtra, WideParam,
+    RawVertex, Registers, TmuVertex, VeriteExtra, VeriteVertex, Vertex, VertexExtra, WideParam,
 };
 pub use state::{
     DrawState, PaletteBlend, PaletteDraw, PaletteState, RawDraw, RawState, RawTexture,

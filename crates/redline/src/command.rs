@@ -162,11 +162,7 @@ impl Segment {
 
 /// Words as bytes, the low byte first.
 pub fn word_bytes(words: &[u32]) -> Vec<u8> {
-    let mut bytes = vec![0; words.len() * 4];
-    for (out, word) in bytes.as_chunks_mut().0.iter_mut().zip(words) {
-        *out = word.to_le_bytes();
-    }
-    bytes
+    words.iter().map(|word| word.to_le_bytes()).collect::<Vec<[u8; 4]>>().into_flattened()
 }
 
 /// All words of segments, in order.

@@ -99,17 +99,28 @@ pub struct Commands<'a> {
     words: &'a [u32],
     at: usize,
     chip: Chip,
+    /// The last triangle's, since triangles come in runs.
+    last: Option<Triangle>,
+}
+
+/// What follows from a triangle's first word.
+#[derive(Clone, Copy, Debug)]
+struct Triangle {
+    first: u32,
+    vertex: VertexType,
+    /// Words of its vertices.
+    words: u32,
 }
 
 impl<'a> Commands<'a> {
     /// The commands in `words` as `chip` understands them.
     pub fn new(words: &'a [u32], chip: Chip) -> Commands<'a> {
-        Commands { words, at: 0, chip }
+        Commands::starting(words, 0, chip)
     }
 
     /// The commands from word `at` on, with which one begins.
     pub(crate) fn starting(words: &'a [u32], at: usize, chip: Chip) -> Commands<'a> {
-        Commands { words, at, chip }
+        Commands { words, at, chip, last: None }
     }
 
     /// Index of the next command's first word.
@@ -134,6 +145,34 @@ impl<'a> Commands<'a> {
         let (needed, left) = (index as u64 + 1, self.words.len() - self.at);
         let word = self.words.get(self.at + index).copied();
         word.ok_or(StreamErrorKind::Incomplete { needed, left })
+    }
+
+    /// The type and the words of the next command's vertices, where it begins as
+    /// the triangle before did.
+    #[inline(always)]
+    pub(crate) fn next_alike(&mut self) -> Option<(VertexType, &'a [u32])> {
+        let Triangle { first, vertex, words } = self.last?;
+        let (at, end) = (self.at + 1, self.at + 1 + words as usize);
+        if *self.words.get(self.at)? != first {
+            return None;
+        }
+        let vertices = self.words.get(at..end)?;
+        self.at = end;
+        Some((vertex, vertices))
+    }
+
+    #[inline(never)]
+    fn next_other(&mut self) -> Option<Result<Command<'a>, StreamError>> {
+        let first = *self.words.get(self.at)?;
+        let at = self.at;
+        let command = self.command(first);
+        if let Ok(Command::Draw { opcode: Opcode::Triangle, vertex, vertices, .. }) = command {
+            self.last = Some(Triangle { first, vertex, words: vertices.len() as u32 });
+        }
+        Some(command.map_err(|kind| {
+            self.at = self.words.len();
+            StreamError { at, kind }
+        }))
     }
 
     #[inline]
@@ -292,13 +331,13 @@ impl<'a> Iterator for Commands<'a> {
 
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {
-        let first = *self.words.get(self.at)?;
-        let at = self.at;
-        let command = self.command(first);
-        Some(command.map_err(|kind| {
-            self.at = self.words.len();
-            StreamError { at, kind }
-        }))
+        match self.next_alike() {
+            Some((vertex, vertices)) => {
+                let (opcode, head) = (Opcode::Triangle, &[][..]);
+                Some(Ok(Command::Draw { opcode, vertex, head, vertices }))
+            }
+            None => self.next_other(),
+        }
     }
 }
 

@@ -3,9 +3,12 @@
 use std::sync::Arc;
 
 use fillrate_engine::state::{DepthSource, Dither, DrawState, Rect};
-use fillrate_engine::{ClearValues, Cull, PixelFormat, PixelRun, Registers, Vertex, VertexExtra};
+use fillrate_engine::{
+    ClearValues, Cull, PixelFormat, PixelRun, Registers, VeriteExtra, VeriteVertex, Vertex,
+    VertexExtra,
+};
 
-use super::{Rng, draw_state, extras, registers, textures, vertices};
+use super::{Rng, draw_state, extras, registers, textures, verite_corners, vertices};
 use crate::canvas::Canvas;
 use crate::reference::{Reference, Textures};
 
@@ -19,6 +22,8 @@ pub enum Command {
     Triangle { vertices: Box<[Vertex; 3]>, cull: Cull },
     /// [`Canvas::extended`].
     Extended { vertices: Box<[Vertex; 3]>, extras: Box<[VertexExtra; 3]>, cull: Cull },
+    /// [`Canvas::verite`].
+    Verite { corners: Box<[(VeriteVertex, VeriteExtra); 3]> },
     /// [`Canvas::launch`].
     Launch { registers: Box<Registers> },
     /// [`Canvas::pixels`].
@@ -36,6 +41,7 @@ impl Command {
             Command::Extended { vertices, extras, cull } => {
                 canvas.extended(vertices, extras, *cull);
             }
+            Command::Verite { corners } => canvas.verite(corners),
             Command::Launch { registers } => canvas.launch(registers),
             Command::Pixels { x, y, colors, depths } => {
                 canvas.pixels(&PixelRun { x: *x, y: *y, colors, depths });
@@ -141,6 +147,7 @@ fn command(rng: &mut Rng, width: u32, height: u32) -> Command {
             extras: Box::new(extras(rng)),
             cull: rng.pick(&[Cull::Disabled, Cull::Disabled, Cull::Negative, Cull::Positive]),
         },
+        7 | 8 => Command::Verite { corners: Box::new(verite_corners(rng, width, height)) },
         2 | 3 => Command::Launch { registers: Box::new(registers(rng, width, height)) },
         _ => Command::Triangle {
             vertices: Box::new(vertices(rng, width, height)),

@@ -9,7 +9,7 @@ mod state;
 mod texture;
 
 pub use command::{Case, Command, case};
-pub use primitive::{extras, registers, vertices};
+pub use primitive::{extras, registers, verite_corners, vertices};
 pub use rng::Rng;
 pub use state::draw_state;
 pub use texture::textures;

@@ -1,6 +1,8 @@
 //! Random triangles, as vertices and as registers.
 
-use fillrate_engine::{Cull, Param, Registers, TmuVertex, Vertex, VertexExtra, WideParam};
+use fillrate_engine::{
+    Cull, Param, Registers, TmuVertex, VeriteExtra, VeriteVertex, Vertex, VertexExtra, WideParam,
+};
 
 use super::Rng;
 use crate::reference::{SetUp, set_up_extended};
@@ -158,6 +160,47 @@ pub fn extras(rng: &mut Rng) -> [VertexExtra; 3] {
         fog: color(rng),
         base: [(); 3].map(|()| color(rng)),
         deep_z: depth * f64::from(if style.depths == 0 { 0.5 } else { rng.float(-0.1, 1.1) }),
+    })
+}
+
+/// A triangle for the Vérité's set-up, of the same kinds; some have no extras.
+pub fn verite_corners(rng: &mut Rng, width: u32, height: u32) -> [(VeriteVertex, VeriteExtra); 3] {
+    let corners = corners(rng, width as f32, height as f32);
+    let (colors, depths, texels) = (rng.below(8), rng.below(8), rng.below(8));
+    let scale = rng.pick(&[4.0, 64.0, 256.0, 1024.0, 16384.0, 1e9]);
+    let color = |rng: &mut Rng| match colors {
+        0 => rng.pick(&[0, 255 << 12]),
+        1 => rng.word() as i32,
+        2 => rng.pick(&[-1, 1 << 20, i32::MIN, i32::MAX, 0xf_ffff]),
+        _ => rng.below(255 << 12) as i32,
+    };
+    let depth = |rng: &mut Rng| match depths {
+        0 => rng.pick(&[0, 0xffff << 11]),
+        1 => rng.word() as i32,
+        2 => rng.range(-(70_000 << 11), 140_000 << 11),
+        3 => 30_000 << 11,
+        _ => rng.below(1 << 27) as i32,
+    };
+    let texel = |rng: &mut Rng| {
+        let unit = |rng: &mut Rng, low: f32, high: f32| f64::from(rng.float(low, high));
+        let one = 4_294_967_296.0;
+        match texels {
+            0 => [(); 3].map(|()| f64::from_bits(rng.bits())),
+            1 => [(); 3].map(|()| rng.pick(&[0.0, -0.5, 1e15, -9.3e18, 1e300, f64::NAN])),
+            _ => {
+                let q = unit(rng, if texels == 2 { -0.1 } else { 0.005 }, 1.0);
+                let [s, t] = [(); 2].map(|()| unit(rng, -0.25, 1.0) * scale * q * one);
+                [s, t, q * one]
+            }
+        }
+    };
+    let plain = rng.one_in(3);
+    corners.map(|(x, y)| {
+        let [first, second] = [(); 2].map(|()| [(); 4].map(|()| color(rng)));
+        let (x, y) = ((x * 16.0) as i16, (y * 16.0) as i16);
+        let vertex = VeriteVertex { color: first, z: depth(rng), x, y };
+        let extra = VeriteExtra { specular: second, texel: texel(rng) };
+        (vertex, if plain { VeriteExtra::default() } else { extra })
     })
 }
 

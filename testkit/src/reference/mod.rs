@@ -25,12 +25,13 @@ use std::sync::Arc;
 
 use fillrate_engine::state::{DrawState, MAX_TMUS, Origin, Rect};
 use fillrate_engine::{
-    ClearValues, Counters, Cull, PixelFormat, PixelRun, Registers, Texture, Vertex, VertexExtra,
+    ClearValues, Counters, Cull, PixelFormat, PixelRun, Registers, Texture, VeriteExtra,
+    VeriteVertex, Vertex, VertexExtra,
 };
 
 pub use dither::{pack, unpack};
 pub use log2::{log2_8_f64, log2_8_u64};
-pub use setup::{SetUp, set_up, set_up_extended};
+pub use setup::{SetUp, set_up, set_up_extended, set_up_verite};
 
 use pixel::{Iterated, Position, Shaded};
 
@@ -104,6 +105,20 @@ impl Reference {
     ) {
         self.counters.triangles_in += 1;
         if let SetUp::Drawn(registers) = setup::set_up_extended(vertices, extras, cull) {
+            self.counters.triangles_drawn += 1;
+            self.raster(state, textures, &registers);
+        }
+    }
+
+    /// Sets a triangle up as the Vérité's and draws it.
+    pub fn verite(
+        &mut self,
+        state: &DrawState,
+        textures: &Textures,
+        corners: &[(VeriteVertex, VeriteExtra); 3],
+    ) {
+        self.counters.triangles_in += 1;
+        if let SetUp::Drawn(registers) = set_up_verite(corners) {
             self.counters.triangles_drawn += 1;
             self.raster(state, textures, &registers);
         }

@@ -2,7 +2,9 @@
 //!
 //! Source: G246, triangle set-up; SST1, register formats.
 
-use fillrate_engine::{Cull, Param, Registers, TmuVertex, Vertex, VertexExtra, WideParam};
+use fillrate_engine::{
+    Cull, Param, Registers, TmuVertex, VeriteExtra, VeriteVertex, Vertex, VertexExtra, WideParam,
+};
 
 /// What becomes of a triangle.
 #[derive(Clone, Debug, PartialEq)]
@@ -126,6 +128,54 @@ fn add_extras(
         dx: wide((z1 * y2 - z2 * y1) / area),
         dy: wide((z2 * x1 - z1 * x2) / area),
     };
+}
+
+/// Sorts and computes the registers of a triangle as the Vérité has it: planes
+/// through the corners as they come, in double precision, from coordinates in
+/// sixteenths.
+pub fn set_up_verite(corners: &[(VeriteVertex, VeriteExtra); 3]) -> SetUp {
+    let vertices = corners.map(|corner| corner.0);
+    let extras = corners.map(|corner| corner.1);
+    let x = vertices.map(|v| i64::from(v.x));
+    let y = vertices.map(|v| i64::from(v.y));
+    let area =
+        |[a, b, c]: [usize; 3]| (x[a] - x[b]) * (y[b] - y[c]) - (x[b] - x[c]) * (y[a] - y[b]);
+    if area([0, 1, 2]) == 0 {
+        return SetUp::Empty;
+    }
+    let scale = 16.0 / area([0, 1, 2]) as f64;
+    let side = |v: [i64; 3], i: usize| (v[i] - v[i + 1]) as f64 * scale;
+    let (x_ab, y_ab, x_bc, y_bc) = (side(x, 0), side(y, 0), side(x, 1), side(y, 1));
+    let steps = |values: [f64; 3]| {
+        let (ab, bc) = (values[0] - values[1], values[1] - values[2]);
+        [ab * y_bc - bc * y_ab, bc * x_ab - ab * x_bc]
+    };
+    let mut order = [0, 1, 2];
+    order.sort_by_key(|&i| y[i]);
+    let first = &vertices[order[0]];
+    // Casts of floats end at the last integer and drop fractions.
+    let narrow = |values: [i32; 3]| {
+        let [dx, dy] = steps(values.map(f64::from)).map(|v| v as i32);
+        Param { start: values[order[0]], dx, dy }
+    };
+    let wide = |i: usize| {
+        let values = extras.map(|extra| extra.texel[i]);
+        let [dx, dy] = steps(values).map(|v| v as i64);
+        WideParam { start: values[order[0]] as i64, dx, dy }
+    };
+    let [z_dx, z_dy] =
+        steps(vertices.map(|v| f64::from(v.z))).map(|v| (v as i64).wrapping_mul(2) as i32);
+    let z = Param { start: first.z.wrapping_mul(2), dx: z_dx, dy: z_dy };
+    SetUp::Drawn(Box::new(Registers {
+        x: order.map(|i| x[i] as i32),
+        y: order.map(|i| y[i] as i32),
+        negative: area(order) < 0,
+        color: [0, 1, 2, 3].map(|i| narrow(vertices.map(|v| v.color[i]))),
+        z,
+        tmu: [[0, 1, 2].map(wide), Default::default(), Default::default()],
+        specular: [0, 1, 2, 3].map(|i| narrow(extras.map(|extra| extra.specular[i]))),
+        ..Registers::default()
+    }))
 }
 
 /// The vertices' numbers by rising y, and whether that took an odd permutation. Which

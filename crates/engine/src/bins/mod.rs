@@ -9,8 +9,9 @@ use std::sync::Arc;
 
 use crate::device::arena::{Arena, BatchState, Command, Run};
 use crate::setup::{
-    Edge, Extra, ExtraNeeds, Fate, Launch, RawShape, Registers, Screen, Shape, Sorted, Triangle,
-    Triangles, Values, prepare, prepare_extra, prepare_palette, prepare_raw, set_up,
+    Edge, Extra, ExtraNeeds, Fate, Launch, RawShape, Screen, Shape, Sorted, Triangle, Triangles,
+    Values, VeriteExtra, VeriteSorted, VeriteVertex, prepare, prepare_extra, prepare_palette,
+    prepare_raw, set_up, set_up_verite, verite_extra,
 };
 use crate::state::Rect;
 use crate::stats::Counters;
@@ -72,6 +73,8 @@ pub(crate) struct Chunk {
     pub counters: Counters,
     /// What is known of each command's triangle before its set-up.
     sorted: Vec<Sorted>,
+    /// The same of the Vérité's, where the arena has some.
+    sorted_verites: Vec<VeriteSorted>,
     pairs: Vec<(u32, Entry)>,
     starts: Vec<u32>,
     entries: Vec<Entry>,
@@ -106,7 +109,21 @@ impl Chunk {
                     if sorted.fate == Fate::Drawn {
                         self.counters.triangles_drawn += 1;
                         set_up(arena.vertices.get(vertices), &sorted, units, &mut launch);
-                        self.launch(batch, &launch, None, state, grid);
+                        self.launch(batch, &launch, Extra::none, units.max(1), state, grid);
+                    }
+                }
+                Command::Verite { state, .. } | Command::VeriteExtended { state, .. } => {
+                    let sorted = self.sorted_verites[i];
+                    self.counters.triangles_in += 1;
+                    let batch = &states[state as usize];
+                    let units = batch.pipeline.unit_count;
+                    if let (true, Some((vertices, extras))) = (sorted.drawn, verite(arena, command))
+                    {
+                        self.counters.triangles_drawn += 1;
+                        set_up_verite(vertices, extras, &sorted, units, &mut launch);
+                        let extra = || verite_extra(vertices, extras, &sorted);
+                        // There is no w of the pixel pipeline.
+                        self.launch(batch, &launch, extra, units, state, grid);
                     }
                 }
                 Command::Launch { registers, state } => {
@@ -114,7 +131,9 @@ impl Chunk {
                     self.counters.triangles_drawn += 1;
                     let registers = &arena.registers[registers as usize];
                     let batch = &states[state as usize];
-                    self.launch(batch, &Launch::from(registers), Some(registers), state, grid);
+                    let extra = || Extra::from(registers);
+                    let groups = batch.pipeline.unit_count.max(1);
+                    self.launch(batch, &Launch::from(registers), extra, groups, state, grid);
                 }
                 Command::Palette { primitive, state } => {
                     self.counters.triangles_in += 1;
@@ -143,13 +162,24 @@ impl Chunk {
     #[inline(always)]
     fn sort_corners(&mut self, arena: &Arena, commands: &[Command]) {
         self.sorted.clear();
-        self.sorted.extend(commands.iter().map(|command| match *command {
-            Command::Triangle { vertices, cull, .. } => {
-                let [a, b, c] = arena.vertices.get(vertices);
-                Sorted::new([a, b, c], cull)
-            }
-            _ => Sorted::default(),
-        }));
+        if arena.has_triangles() {
+            self.sorted.extend(commands.iter().map(|command| match *command {
+                Command::Triangle { vertices, cull, .. } => {
+                    let [a, b, c] = arena.vertices.get(vertices);
+                    Sorted::new([a, b, c], cull)
+                }
+                _ => Sorted::default(),
+            }));
+        }
+        self.sorted_verites.clear();
+        if arena.has_verites() {
+            self.sorted_verites.extend(commands.iter().map(|command| {
+                match verite(arena, command) {
+                    Some((vertices, _)) => VeriteSorted::new(vertices),
+                    None => VeriteSorted::default(),
+                }
+            }));
+        }
     }
 
     #[inline(always)]
@@ -157,25 +187,25 @@ impl Chunk {
         &mut self,
         batch: &BatchState,
         launch: &Launch,
-        registers: Option<&Registers>,
+        extra: impl FnOnce() -> Extra,
+        groups: usize,
         state: u32,
         grid: &Grid,
     ) {
-        let units = batch.pipeline.unit_count;
+        let counts = [batch.pipeline.unit_count, groups];
         let index = self.triangles.list.len() as u32;
         let screen = &batch.screen;
         let triangle = if screen.scale == 1 {
-            prepare(launch, screen, state, units, &mut self.triangles)
+            prepare(launch, screen, state, counts, &mut self.triangles)
         } else {
-            prepare(&launch.scaled(screen.scale), screen, state, units, &mut self.triangles)
+            prepare(&launch.scaled(screen.scale), screen, state, counts, &mut self.triangles)
         };
         if triangle.is_none() {
             return;
         }
         let needs = batch.pipeline.needs.extra;
         if needs.any() {
-            let extra = registers.map_or_else(Extra::none, Extra::from);
-            self.extend(launch, &extra, screen, needs);
+            self.extend(launch, &extra(), screen, needs);
         }
         let Some(triangle) = self.triangles.list.last() else { return };
         let entry = Entry::Triangle(index);
@@ -259,6 +289,22 @@ impl Chunk {
     /// What a tile has to do in this chunk, in order.
     pub fn tile(&self, index: usize) -> &[Entry] {
         &self.entries[self.starts[index] as usize..self.starts[index + 1] as usize]
+    }
+}
+
+/// The vertices of a triangle for the Vérité's set-up.
+#[inline(always)]
+fn verite<'a>(
+    arena: &'a Arena,
+    command: &Command,
+) -> Option<([&'a VeriteVertex; 3], Option<[&'a VeriteExtra; 3]>)> {
+    match *command {
+        Command::Verite { vertices, .. } => Some((arena.verites.get(vertices).each_ref(), None)),
+        Command::VeriteExtended { vertices, .. } => {
+            let [a, b, c] = arena.extended_verites.get(vertices);
+            Some(([&a.0, &b.0, &c.0], Some([&a.1, &b.1, &c.1])))
+        }
+        _ => None,
     }
 }
 

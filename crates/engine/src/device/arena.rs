@@ -6,7 +6,9 @@ use rustc_hash::FxHashMap;
 
 use super::ClearValues;
 use crate::kernel::Pipeline;
-use crate::setup::{Cull, PalettePrimitive, RawPrimitive, Registers, Screen, Vertex};
+use crate::setup::{
+    Cull, PalettePrimitive, RawPrimitive, Registers, Screen, VeriteExtra, VeriteVertex, Vertex,
+};
 use crate::state::{DrawState, MAX_TMUS, Origin, PaletteDraw, RawDraw, Rect};
 use crate::target::{PixelFormat, Surface};
 use crate::texture::Texture;
@@ -16,6 +18,10 @@ use crate::texture::Texture;
 pub(crate) enum Command {
     /// Vertices to set up.
     Triangle { vertices: u32, cull: Cull, state: u32 },
+    /// Vertices for the Vérité's set-up.
+    Verite { vertices: u32, state: u32 },
+    /// The same with extras.
+    VeriteExtended { vertices: u32, state: u32 },
     /// Registers to launch.
     Launch { registers: u32, state: u32 },
     /// A primitive of the Quark profile.
@@ -182,15 +188,15 @@ impl core::ops::Index<u32> for States {
 /// Corners of triangles. The list keeps its length when it is emptied, so that a
 /// triangle is written where it stays.
 #[derive(Debug, Default)]
-pub(crate) struct Corners {
-    list: Vec<[Vertex; 3]>,
+pub(crate) struct Corners<V> {
+    list: Vec<[V; 3]>,
     used: usize,
 }
 
-impl Corners {
+impl<V: Default> Corners<V> {
     /// A place for three corners, and its index.
     #[inline(always)]
-    pub fn next(&mut self) -> (u32, &mut [Vertex; 3]) {
+    pub fn next(&mut self) -> (u32, &mut [V; 3]) {
         if self.used == self.list.len() {
             self.grow();
         }
@@ -202,11 +208,11 @@ impl Corners {
     #[cold]
     fn grow(&mut self) {
         let more = self.list.len().max(64);
-        self.list.resize(self.list.len() + more, Default::default());
+        self.list.resize_with(self.list.len() + more, Default::default);
     }
 
     #[inline(always)]
-    pub fn get(&self, index: u32) -> &[Vertex; 3] {
+    pub fn get(&self, index: u32) -> &[V; 3] {
         &self.list[index as usize]
     }
 }
@@ -215,7 +221,9 @@ impl Corners {
 #[derive(Debug, Default)]
 pub(crate) struct Arena {
     pub commands: Vec<Command>,
-    pub vertices: Corners,
+    pub vertices: Corners<Vertex>,
+    pub verites: Corners<VeriteVertex>,
+    pub extended_verites: Corners<(VeriteVertex, VeriteExtra)>,
     pub registers: Vec<Registers>,
     pub clears: Vec<Clear>,
     pub runs: Vec<Run>,
@@ -234,6 +242,16 @@ pub(super) const MAX_STATES: usize = 1 << 12;
 const MAX_PIXELS: usize = 1 << 20;
 
 impl Arena {
+    /// Whether triangles wait for the SST-1's set-up.
+    pub fn has_triangles(&self) -> bool {
+        self.vertices.used > 0
+    }
+
+    /// Whether triangles wait for the Vérité's set-up.
+    pub fn has_verites(&self) -> bool {
+        self.verites.used + self.extended_verites.used > 0
+    }
+
     /// Whether it should be drawn before more is added.
     #[inline]
     pub fn is_full(&self) -> bool {
@@ -247,6 +265,8 @@ impl Arena {
     pub fn clear(&mut self) {
         self.commands.clear();
         self.vertices.used = 0;
+        self.verites.used = 0;
+        self.extended_verites.used = 0;
         self.registers.clear();
         self.primitives.clear();
         self.raw_primitives.clear();

@@ -18,7 +18,10 @@ use self::flush::Targets;
 use crate::crew::Crew;
 use crate::error::EngineError;
 use crate::kernel::Pipeline;
-use crate::setup::{Cull, MAX_SCALE, Outcome, Registers, Vertex, VertexExtra, extended_triangle};
+use crate::setup::{
+    Cull, MAX_SCALE, Outcome, Registers, VeriteExtra, VeriteVertex, Vertex, VertexExtra,
+    extended_triangle,
+};
 use crate::state::{Dither, DrawState, MAX_TMUS, Origin, Rect};
 use crate::stats::{Counters, FlushStats};
 use crate::target::{PixelFormat, Surface, TileSize};
@@ -269,6 +272,29 @@ impl Device {
             Outcome::Drawn(registers) => self.launch(&registers),
             Outcome::Empty | Outcome::Culled => self.counters.triangles_in += 1,
         }
+    }
+
+    /// Draws a triangle by the current state, later, set up as the Vérité's. What
+    /// the state reads besides is 0. The caller writes the corners where they are
+    /// kept; until then they are those of another triangle. `None` without a target.
+    #[inline(always)]
+    pub fn draw_verite(&mut self) -> Option<&mut [VeriteVertex; 3]> {
+        let state = self.use_state()?;
+        let Arena { commands, verites, .. } = &mut self.arena;
+        let (vertices, place) = verites.next();
+        commands.push(Command::Verite { vertices, state });
+        Some(place)
+    }
+
+    /// The same with what the state reads besides. Texture units after the first
+    /// get zeros.
+    #[inline(always)]
+    pub fn draw_verite_extended(&mut self) -> Option<&mut [(VeriteVertex, VeriteExtra); 3]> {
+        let state = self.use_state()?;
+        let Arena { commands, extended_verites, .. } = &mut self.arena;
+        let (vertices, place) = extended_verites.next();
+        commands.push(Command::VeriteExtended { vertices, state });
+        Some(place)
     }
 
     /// Draws a triangle that was set up elsewhere, later. Of its coordinates

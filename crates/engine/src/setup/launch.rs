@@ -46,24 +46,42 @@ pub(crate) struct WideParams {
 impl WideParams {
     /// From values of 32 fraction bits in the chip.
     #[inline(always)]
-    pub fn convert(&mut self, [start, dx, dy]: [[f32; GROUP]; 3]) {
-        let floats = [start, dx, dy].map(fixed::wide_floats);
-        let [start_f, dx_f, dy_f] = floats;
-        self.floats = Params { start: start_f, dx: dx_f, dy: dy_f };
-        let mut fits = true;
-        for lane in 0..GROUP {
-            // A sum with something that is not a number is none either.
-            let sum = start_f[lane] + dx_f[lane] + dy_f[lane];
-            fits &= !sum.is_nan();
-        }
-        if !fits {
-            self.convert_large([start, dx, dy]);
+    pub fn convert(&mut self, values: [[f32; GROUP]; 3]) {
+        if !self.set_floats(values.map(fixed::wide_floats)) {
+            self.set_large(values.map(|values| values.map(fixed::wide)));
         }
     }
 
+    /// From values that are what the chip has, but for a fraction: truncated
+    /// toward zero, those beyond 64 bits kept within them.
+    #[inline(always)]
+    pub fn truncate(&mut self, values: [[f64; GROUP]; 3]) {
+        if !self.set_floats(values.map(fixed::truncated)) {
+            self.set_large(values.map(|values| values.map(|value| value as i64)));
+        }
+    }
+
+    /// All of them zero.
+    #[inline(always)]
+    pub fn clear(&mut self) {
+        self.floats = Params::default();
+    }
+
+    /// Sets the floats; false where some are not numbers.
+    #[inline(always)]
+    fn set_floats(&mut self, [start, dx, dy]: [[f64; GROUP]; 3]) -> bool {
+        self.floats = Params { start, dx, dy };
+        let mut fits = true;
+        for lane in 0..GROUP {
+            // A sum with something that is not a number is none either.
+            let sum = start[lane] + dx[lane] + dy[lane];
+            fits &= !sum.is_nan();
+        }
+        fits
+    }
+
     #[cold]
-    fn convert_large(&mut self, values: [[f32; GROUP]; 3]) {
-        let [start, dx, dy] = values.map(|values| values.map(fixed::wide));
+    fn set_large(&mut self, [start, dx, dy]: [[i64; GROUP]; 3]) {
         self.large = Params { start, dx, dy };
     }
 

@@ -7,6 +7,7 @@ mod planes;
 mod raw;
 mod registers;
 mod sst1;
+mod verite;
 mod vertex;
 
 pub(crate) use extra::{BASE, Extra, ExtraNeeds, SPECULAR};
@@ -22,4 +23,6 @@ pub use raw::{RawPrimitive, RawVertex};
 pub use registers::{Param, Registers, WideParam};
 pub use sst1::{Cull, Outcome, extended_triangle, triangle};
 pub(crate) use sst1::{Fate, Sorted, set_up};
+pub use verite::{VeriteExtra, VeriteSlopes, VeriteVertex, verite_triangle};
+pub(crate) use verite::{VeriteSorted, set_up_verite, verite_extra};
 pub use vertex::{TmuVertex, Vertex, VertexExtra};

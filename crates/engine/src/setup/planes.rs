@@ -200,14 +200,28 @@ pub(crate) struct Triangles {
     wides: Vec<WideGroup>,
     /// What states read besides.
     extras: Vec<WideGroup>,
+    /// The exact group of those whose 64-bit parameters are all zero.
+    zero: Option<u32>,
 }
 
 impl Triangles {
     pub fn clear(&mut self) {
+        self.zero = None;
         self.list.clear();
         self.exact.clear();
         self.wides.clear();
         self.extras.clear();
+    }
+
+    /// The index of an exact group of zeros.
+    #[inline(always)]
+    fn zero(&mut self) -> u32 {
+        let next = self.exact.len() as u32;
+        *self.zero.get_or_insert_with(|| {
+            let zeros = [0.0; GROUP];
+            self.exact.push(ExactGroup { start: zeros, dx: zeros, dy: zeros });
+            next
+        })
     }
 
     #[inline(always)]
@@ -315,20 +329,25 @@ const EXACT_LIMIT: f64 = (1u64 << 50) as f64;
 const TO_INTEGER: f64 = (3u64 << 51) as f64;
 
 /// Converts a launched triangle and appends it to `out`; `None` where it covers
-/// no pixel of the screen. `units` is how many texture units iterate.
+/// no pixel of the screen. `units` is how many texture units iterate, `groups` how
+/// many groups of 64-bit parameters have values, as many or one more; without any
+/// all are zero.
 #[inline(always)]
 pub(crate) fn prepare<'a>(
     launch: &Launch,
     screen: &Screen,
     state: u32,
-    units: usize,
+    [units, groups]: [usize; 2],
     out: &'a mut Triangles,
 ) -> Option<&'a Triangle> {
     let bounds = bounds(launch, screen)?;
     let planes = Corrected::new(launch, screen, &bounds);
     let (mut wide, mut exact) = (out.exact.len(), true);
+    if groups == 0 {
+        wide = out.zero() as usize;
+    }
     let mut lods = [0; MAX_TMUS];
-    for (unit, params) in launch.wide.iter().enumerate().take(units.max(1)) {
+    for (unit, params) in launch.wide.iter().enumerate().take(groups) {
         let limits = match (unit, units) {
             (_, 0) => &W_LIMITS,
             (0, _) => &FIRST_LIMITS,
@@ -631,7 +650,9 @@ mod tests {
 
     fn prepared(screen: &Screen) -> Triangle {
         let mut triangles = Triangles::default();
-        prepare(&Launch::from(&right_triangle()), screen, 0, 0, &mut triangles).unwrap().clone()
+        prepare(&Launch::from(&right_triangle()), screen, 0, [0, 1], &mut triangles)
+            .unwrap()
+            .clone()
     }
 
     fn covered(triangle: &Triangle) -> u32 {

@@ -20,16 +20,19 @@ pub struct Rect {
 
 impl Rect {
     /// A rectangle from its corners.
+    #[inline]
     pub const fn new(x0: u32, y0: u32, x1: u32, y1: u32) -> Rect {
         Rect { x0, y0, x1, y1 }
     }
 
     /// Whether no pixel lies inside.
+    #[inline]
     pub fn is_empty(&self) -> bool {
         self.x0 >= self.x1 || self.y0 >= self.y1
     }
 
     /// The part that both share; possibly empty.
+    #[inline]
     pub fn intersect(&self, other: &Rect) -> Rect {
         Rect {
             x0: self.x0.max(other.x0),
@@ -40,6 +43,7 @@ impl Rect {
     }
 
     /// Whether all of `other` lies inside.
+    #[inline]
     pub fn contains(&self, other: &Rect) -> bool {
         self.x0 <= other.x0 && self.y0 <= other.y0 && self.x1 >= other.x1 && self.y1 >= other.y1
     }

@@ -134,8 +134,32 @@ impl TileCell {
 
     /// Copies consecutive elements of one stamp out.
     pub fn read(&self, at: usize, to: &mut [u32]) {
-        for (to, at) in to.iter_mut().zip(at..) {
-            *to = self.get(at);
+        let part = at..at + to.len();
+        match (&self.pending, &self.plane) {
+            (None, Plane::Bits16(pixels)) => {
+                to.iter_mut().zip(&pixels[part]).for_each(|(to, &from)| *to = u32::from(from));
+            }
+            (None, Plane::Bits32(pixels)) => {
+                to.iter_mut().zip(&pixels[part]).for_each(|(to, &from)| *to = from as u32);
+            }
+            (Some(_), _) => to.iter_mut().zip(part).for_each(|(to, at)| *to = self.get(at)),
+        }
+    }
+
+    /// Sets consecutive elements of one stamp.
+    pub fn write(&mut self, at: usize, from: &[u32]) {
+        self.materialize();
+        for &value in from {
+            self.include(value as u16, value as u16);
+        }
+        let part = at..at + from.len();
+        match &mut self.plane {
+            Plane::Bits16(pixels) => {
+                pixels[part].iter_mut().zip(from).for_each(|(to, &from)| *to = from as u16);
+            }
+            Plane::Bits32(pixels) => {
+                pixels[part].iter_mut().zip(from).for_each(|(to, &from)| *to = from as i32);
+            }
         }
     }
 

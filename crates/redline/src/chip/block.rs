@@ -12,6 +12,7 @@ use fillrate_engine::state::{
 
 use super::VeriteChip;
 use super::area::Area;
+use super::draw::HALVES;
 use super::setup::{self, Corner};
 use super::texture::{Binding, Reading, build};
 use super::transfer::bytes_of;
@@ -194,25 +195,20 @@ impl VeriteChip {
         let place = |x: u32, at: u32| (x as i32 - at as i32) * 16;
         let own = corners(part, |x, y| {
             let texel = [f64::from(x - part.x0) * ONE, f64::from(y - part.y0) * ONE, ONE];
-            Corner { wide: texel, ..attributes.corner(place(x, at[0]), place(y, at[1]), 0, 0) }
+            attributes.corner([place(x, at[0]), place(y, at[1])], [0, 0]).with_texel(texel)
         });
         let under = corners(part, |x, y| {
-            let [u, v] = uv.map_or([0, 0], |uv| across(extent, uv, x, y));
-            attributes.corner(place(x, at[0]), place(y, at[1]), u, v)
+            let uv = uv.map_or([0, 0], |uv| across(extent, uv, x, y));
+            attributes.corner([place(x, at[0]), place(y, at[1])], uv)
         });
-        for [a, b, c] in [[0, 1, 2], [3, 2, 1]] {
+        for [a, b, c] in HALVES {
             // Both have the same places, so they come in the same pieces.
-            let mut upper = Vec::new();
-            let three = [&under[a], &under[b], &under[c]];
-            setup::launch(&three, true, false, |registers| upper.push(registers.tmu[0]));
-            let mut upper = upper.into_iter();
-            let three = [&own[a], &own[b], &own[c]];
-            let engine = &mut self.targets.engine;
-            setup::launch(&three, true, attributes.extended, |registers| {
-                let mut registers = *registers;
-                registers.tmu[1] = upper.next().unwrap_or_default();
-                engine.launch(&registers);
-            });
+            let upper = setup::parts([&under[a], &under[b], &under[c]]);
+            let own = setup::parts([&own[a], &own[b], &own[c]]);
+            for (mut registers, upper) in own.into_iter().zip(upper) {
+                registers.tmu[1] = upper.tmu[0];
+                self.targets.engine.launch(&registers);
+            }
         }
     }
 

@@ -4,11 +4,12 @@
 
 use std::sync::Arc;
 
-use fillrate_engine::Texture;
 use fillrate_engine::state::{DrawState, Filter, MAX_TMUS, Rect};
+use fillrate_engine::{Texture, VeriteExtra, VeriteVertex};
 
 use super::VeriteChip;
-use super::setup::{self, Attributes, Corner};
+use super::area::Area;
+use super::setup::{self, Attributes, Corner, Extent, Values};
 use super::target::{DepthBuffer, Kind, Place, Resident};
 use super::texture::Binding;
 use super::translate::{self, SourceFunction};
@@ -70,6 +71,8 @@ pub(super) struct Prepared {
     /// What can be drawn in the window, in pixels of the destination.
     pub scissor: Rect,
     windows: Windows,
+    /// There is no other window to be drawn.
+    is_one: bool,
     /// The engine's target is the window.
     entered: bool,
     pub binding: Option<Binding>,
@@ -77,6 +80,8 @@ pub(super) struct Prepared {
     texture: Option<(Binding, Option<Arc<Texture>>)>,
     /// What the engine's state is set to.
     mode: Option<Mode>,
+    /// Of that mode's triangles, places and texels are the engine's.
+    direct: bool,
     pub depth: bool,
 }
 
@@ -94,7 +99,120 @@ impl Prepared {
     pub fn origin(&self) -> [u32; 2] {
         self.windows.origin()
     }
+
+    /// The mode of vertices of a layout.
+    #[inline]
+    fn mode_of(&self, layout: &Layout) -> Mode {
+        match (self.binding.is_some(), layout.word(crate::vertex::Attribute::Q).is_some()) {
+            (false, _) => Mode::Flat,
+            (true, false) => Mode::Affine,
+            (true, true) => Mode::Perspective,
+        }
+    }
+
+    /// Whether the engine is set to a mode, and takes its triangles as they are.
+    #[inline]
+    fn is_direct(&self, mode: Mode) -> bool {
+        self.direct && self.mode == Some(mode)
+    }
+
+    /// The first texel of a texture that is decoded in part.
+    fn first_texel(&self) -> Option<[f64; 2]> {
+        let (binding, _) = self.texture.as_ref()?;
+        let origin = [binding.columns.origin, binding.rows.origin];
+        (origin != [0, 0]).then(|| origin.map(f64::from))
+    }
 }
+
+/// Three corners, read or to be read by what the state makes of attributes.
+pub(super) trait Corners {
+    /// Where they are, in sixteenths.
+    fn places(&self) -> [[i32; 2]; 3];
+    /// The corners.
+    fn read(&self, attributes: &Attributes) -> [Corner; 3];
+    /// As the engine takes them, at their places.
+    fn read_to(&self, attributes: &Attributes, at: [[i32; 2]; 3], to: &mut [VeriteVertex; 3]);
+    /// The same with what some states read.
+    fn read_extended_to(
+        &self,
+        attributes: &Attributes,
+        at: [[i32; 2]; 3],
+        to: &mut [(VeriteVertex, VeriteExtra); 3],
+    );
+}
+
+impl Corners for [Corner; 3] {
+    fn places(&self) -> [[i32; 2]; 3] {
+        self.each_ref().map(|corner| corner.place)
+    }
+
+    fn read(&self, _: &Attributes) -> [Corner; 3] {
+        *self
+    }
+
+    fn read_to(&self, _: &Attributes, _: [[i32; 2]; 3], to: &mut [VeriteVertex; 3]) {
+        *to = self.each_ref().map(|corner| corner.vertex);
+    }
+
+    fn read_extended_to(
+        &self,
+        _: &Attributes,
+        _: [[i32; 2]; 3],
+        to: &mut [(VeriteVertex, VeriteExtra); 3],
+    ) {
+        *to = self.each_ref().map(|corner| (corner.vertex, corner.extra));
+    }
+}
+
+/// Vertices of a layout.
+#[derive(Clone, Copy)]
+struct Words<'a> {
+    layout: &'static Layout,
+    a: &'a [u32],
+    b: &'a [u32],
+    c: &'a [u32],
+    textured: bool,
+}
+
+impl Corners for Words<'_> {
+    #[inline(always)]
+    fn places(&self) -> [[i32; 2]; 3] {
+        let place = |words| setup::place(self.layout, words);
+        [place(self.a), place(self.b), place(self.c)]
+    }
+
+    #[cold]
+    fn read(&self, attributes: &Attributes) -> [Corner; 3] {
+        [self.a, self.b, self.c].map(|words| attributes.read(self.layout, words, self.textured))
+    }
+
+    #[inline(always)]
+    fn read_to(&self, attributes: &Attributes, at: [[i32; 2]; 3], to: &mut [VeriteVertex; 3]) {
+        let [to_a, to_b, to_c] = to;
+        attributes.read_to(self.layout, self.a, at[0], to_a);
+        attributes.read_to(self.layout, self.b, at[1], to_b);
+        attributes.read_to(self.layout, self.c, at[2], to_c);
+    }
+
+    #[inline]
+    fn read_extended_to(
+        &self,
+        attributes: &Attributes,
+        at: [[i32; 2]; 3],
+        to: &mut [(VeriteVertex, VeriteExtra); 3],
+    ) {
+        let words = [self.a, self.b, self.c];
+        for (((vertex, extra), words), at) in to.iter_mut().zip(words).zip(at) {
+            attributes.read_to(self.layout, words, at, vertex);
+            attributes.read_extra_to(self.layout, words, self.textured, extra);
+        }
+    }
+}
+
+/// Which of two columns and rows the corners of a rectangle have.
+const UPPER_LEFT_FIRST: [[usize; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
+/// The triangles of these corners that a rectangle is drawn as.
+pub(super) const HALVES: [[usize; 3]; 2] = [[0, 1, 2], [3, 2, 1]];
 
 impl VeriteChip {
     /// The registers have changed, or bytes that a texture may come from.
@@ -141,18 +259,25 @@ impl VeriteChip {
     }
 
     /// Works the state out; `None` where nothing can be drawn.
+    #[inline]
     pub(super) fn prepare(&mut self) -> Option<&mut Prepared> {
         if self.prepared.is_none() {
-            let (place, (width, height)) = self.destination()?;
-            let (depth, rows) = self.depth_buffer(&place, (width, height));
-            let uses_depth = translate::uses_depth(&self.state);
-            let mut base = translate::draw_state(&self.state, self.config.chip.has_specular());
-            let clip = base.clip.unwrap_or_default().intersect(&Rect::new(0, 0, width, rows));
-            base.clip = Some(clip);
-            let windows = Windows::new(place, depth, (width, rows), clip);
-            self.prepared = Some(self.work_out(base, windows, uses_depth));
+            self.prepare_anew()?;
         }
         self.prepared.as_mut()
+    }
+
+    #[cold]
+    fn prepare_anew(&mut self) -> Option<()> {
+        let (place, (width, height)) = self.destination()?;
+        let (depth, rows) = self.depth_buffer(&place, (width, height));
+        let uses_depth = translate::uses_depth(&self.state);
+        let mut base = translate::draw_state(&self.state, self.config.chip.has_specular());
+        let clip = base.clip.unwrap_or_default().intersect(&Rect::new(0, 0, width, rows));
+        base.clip = Some(clip);
+        let windows = Windows::new(place, depth, (width, rows), clip);
+        self.prepared = Some(self.work_out(base, windows, uses_depth));
+        Some(())
     }
 
     fn work_out(&self, base: DrawState, windows: Windows, depth: bool) -> Prepared {
@@ -164,28 +289,33 @@ impl VeriteChip {
         let textured = function != SourceFunction::NoTexture;
         let binding = if textured { Binding::new(state, pitch) } else { None };
         let attributes = Attributes::new(state, filtered, extended);
-        let (texture, mode, entered) = (None, None, false);
-        let scissor = windows.scissor();
-        let base = windows.state(&base);
         Prepared {
-            base,
+            base: windows.state(&base),
             function,
             attributes,
-            scissor,
+            scissor: windows.scissor(),
+            is_one: windows.is_one(),
             windows,
-            entered,
+            entered: false,
             binding,
-            texture,
-            mode,
+            texture: None,
+            mode: None,
+            direct: false,
             depth,
         }
+    }
+
+    /// Whether what is drawn next as before needs one window.
+    #[inline]
+    pub(super) fn is_in_one_window(&self) -> bool {
+        self.prepared.as_ref().is_some_and(|prepared| prepared.is_one)
     }
 
     /// Draws a command in each window of the destination.
     #[inline]
     pub(super) fn in_windows(&mut self, draw: impl Fn(&mut VeriteChip)) {
         let Some(prepared) = self.prepare() else { return };
-        if prepared.windows.is_one() {
+        if prepared.is_one {
             return draw(self);
         }
         let windows = prepared.windows;
@@ -195,6 +325,25 @@ impl VeriteChip {
             }
             draw(self);
         }
+    }
+
+    /// Whether an area is part of what is about to be drawn on, all of which is
+    /// one window.
+    pub(super) fn aims_at(&mut self, area: &Area) -> bool {
+        let memory = self.memory.len();
+        let Some(prepared) = self.prepare() else { return false };
+        let window = prepared.windows.window();
+        let size = (window.x1 - window.x0, window.y1 - window.y0);
+        let (color, depth) = prepared.windows.places();
+        let depth = if let DepthBuffer::At(depth) = depth { Some(depth) } else { None };
+        let mut places = [Some(color), depth].into_iter().flatten();
+        prepared.is_one
+            && places.any(|place| Resident::area_of(&place, size, memory).overlaps(area))
+    }
+
+    /// Where the source lies that is drawn with.
+    pub(super) fn texture_area(&self) -> Option<Area> {
+        Some(self.prepared.as_ref()?.binding?.area())
     }
 
     /// Makes the window the engine's target; false where that cannot be.
@@ -222,14 +371,9 @@ impl VeriteChip {
         chosen
     }
 
-    /// The mode of vertices of a layout.
+    /// See [`Prepared::mode_of`].
     pub(super) fn mode_of(&self, layout: &Layout) -> Mode {
-        let textured = self.prepared.as_ref().is_some_and(|p| p.binding.is_some());
-        match (textured, layout.word(crate::vertex::Attribute::Q).is_some()) {
-            (false, _) => Mode::Flat,
-            (true, false) => Mode::Affine,
-            (true, true) => Mode::Perspective,
-        }
+        self.prepared.as_ref().map_or(Mode::Flat, |prepared| prepared.mode_of(layout))
     }
 
     /// The mode without a pattern, or with coverage, of vertices of a layout.
@@ -281,6 +425,7 @@ impl VeriteChip {
         }
         self.targets.engine.set_state(&draw, textures);
         prepared.mode = Some(mode);
+        prepared.direct = prepared.entered && !large && prepared.origin() == [0, 0];
     }
 
     /// Draws with a state of its own; the next primitive sets its own again.
@@ -297,123 +442,125 @@ impl VeriteChip {
 
     /// The texels that corners may touch, where the texture is so large that it
     /// matters.
-    fn range(&self, mode: Mode, corners: &[Corner]) -> Option<[[i64; 2]; 2]> {
+    fn range(&self, mode: Mode, texels: &[[f64; 3]]) -> Option<[[i64; 2]; 2]> {
         let binding = self.prepared.as_ref()?.binding.filter(|_| mode.textured())?;
         if !binding.is_large() {
             return None;
         }
-        let texel = |corner: &Corner, axis: usize| {
-            let quotient = corner.wide[axis] / corner.wide[2];
+        let texel = |texel: &[f64; 3], axis: usize| {
+            let quotient = texel[axis] / texel[2];
             if quotient.is_finite() { quotient.floor() as i64 } else { i64::MAX }
         };
         Some([0, 1].map(|axis| {
-            let texels = corners.iter().map(|corner| texel(corner, axis));
+            let texels = texels.iter().map(|corner| texel(corner, axis));
             [texels.clone().min().unwrap_or(0), texels.max().unwrap_or(0)]
                 .map(|texel| texel.clamp(-1 << 20, 1 << 20))
         }))
     }
 
-    /// Draws a triangle of corners that were read with the whole texture.
-    pub(super) fn launch(&mut self, mode: Mode, corners: [&Corner; 3]) {
-        let bounds = setup::bounds(&corners);
+    /// Draws a triangle of the destination, read with the whole texture.
+    #[inline(always)]
+    pub(super) fn launch(&mut self, mode: Mode, corners: &impl Corners) {
         let Some(prepared) = &self.prepared else { return };
-        let drawn = bounds.intersect(&prepared.scissor);
+        let places = corners.places();
+        let extent = Extent::new(places);
+        let drawn = extent.pixels().intersect(&prepared.scissor);
         if drawn.is_empty() {
             return;
         }
-        let at = prepared.windows.origin();
-        if at == [0, 0] {
-            return self.launch_here(mode, corners, &drawn);
+        let attributes = &prepared.attributes;
+        if !prepared.is_direct(mode) || !extent.is_near() {
+            return self.launch_anyhow(mode, &corners.read(attributes), &drawn);
         }
-        let moved = corners.map(|corner| corner.moved(at));
-        self.launch_here(mode, [&moved[0], &moved[1], &moved[2]], &window::moved(&drawn, at));
+        self.targets.drawn(&drawn, prepared.depth);
+        let engine = &mut self.targets.engine;
+        if mode.textured() || attributes.extended {
+            let Some(to) = engine.draw_verite_extended() else { return };
+            corners.read_extended_to(attributes, places, to);
+        } else {
+            let Some(to) = engine.draw_verite() else { return };
+            corners.read_to(attributes, places, to);
+        }
     }
 
-    /// Draws a triangle whose places are the window's, as its pixels `drawn`.
-    #[inline]
-    fn launch_here(&mut self, mode: Mode, corners: [&Corner; 3], drawn: &Rect) {
-        if !self.enter() {
+    /// The same where the engine has to be set to the window and the mode, where
+    /// the window or the texture begins elsewhere, or where corners lie far away.
+    #[inline(never)]
+    fn launch_anyhow(&mut self, mode: Mode, corners: &[Corner; 3], drawn: &Rect) {
+        let texels = corners.each_ref().map(|corner| corner.extra.texel);
+        let Some((at, first_texel)) = self.begin(mode, &texels, drawn) else { return };
+        let engine = &mut self.targets.engine;
+        let corners = corners.each_ref().map(|corner| match first_texel {
+            Some(texel) => corner.moved(at).beginning_at(texel),
+            None => corner.moved(at),
+        });
+        if Extent::new(corners.each_ref().map(|corner| corner.place)).is_near() {
+            let Some(to) = engine.draw_verite_extended() else { return };
+            *to = corners.map(|corner| (corner.vertex, corner.extra));
             return;
         }
-        let Some(prepared) = &self.prepared else { return };
-        let depth = prepared.depth;
-        let extended = prepared.attributes.extended;
-        let range = self.range(mode, &corners.map(|corner| *corner));
-        self.set_mode(mode, range);
-        self.targets.drawn(drawn, depth);
-        let origin = self.origin();
-        let engine = &mut self.targets.engine;
-        match origin {
-            None => setup::launch(&corners, mode.textured(), extended, |r| engine.launch(r)),
-            Some([s, t]) => {
-                let moved = corners.map(|corner| {
-                    let mut moved = *corner;
-                    moved.wide[0] -= s * moved.wide[2];
-                    moved.wide[1] -= t * moved.wide[2];
-                    moved
-                });
-                let corners = [&moved[0], &moved[1], &moved[2]];
-                setup::launch(&corners, mode.textured(), extended, |r| engine.launch(r));
-            }
+        let [a, b, c] = &corners;
+        setup::parts([a, b, c]).iter().for_each(|registers| engine.launch(registers));
+    }
+
+    /// Sets the engine to the window and a mode, for drawing the pixels `drawn` of
+    /// the destination with these texels at the corners. Gives the first pixel of
+    /// the window, and the first texel of a texture that is decoded in part.
+    fn begin(
+        &mut self,
+        mode: Mode,
+        texels: &[[f64; 3]],
+        drawn: &Rect,
+    ) -> Option<([u32; 2], Option<[f64; 2]>)> {
+        if !self.enter() {
+            return None;
         }
+        let range = self.range(mode, texels);
+        self.set_mode(mode, range);
+        let prepared = self.prepared.as_ref()?;
+        let at = prepared.origin();
+        self.targets.drawn(&window::moved(drawn, at), prepared.depth);
+        Some((at, prepared.first_texel()))
     }
 
-    /// The first texel of a texture that is decoded in part.
-    fn origin(&self) -> Option<[f64; 2]> {
-        let (binding, _) = self.prepared.as_ref()?.texture.as_ref()?;
-        let origin = [binding.columns.origin, binding.rows.origin];
-        (origin != [0, 0]).then(|| origin.map(f64::from))
-    }
-
-    /// Draws one pixel with the values of a corner, if it is visible.
-    pub(super) fn pixel(&mut self, mode: Mode, x: i64, y: i64, values: &Corner) {
+    /// Draws one pixel with the same values all over it, if it is visible.
+    pub(super) fn pixel(&mut self, mode: Mode, x: i64, y: i64, values: &Values) {
         let Some(prepared) = &self.prepared else { return };
         let scissor = prepared.scissor;
         let (Ok(x), Ok(y)) = (u32::try_from(x), u32::try_from(y)) else { return };
         if x < scissor.x0 || x >= scissor.x1 || y < scissor.y0 || y >= scissor.y1 {
             return;
         }
-        let (depth, extended) = (prepared.depth, prepared.attributes.extended);
-        let [left, top] = prepared.windows.origin();
-        let (x, y) = (x - left, y - top);
-        if !self.enter() {
-            return;
-        }
-        let range = self.range(mode, std::slice::from_ref(values));
-        self.set_mode(mode, range);
-        self.targets.drawn(&Rect::new(x, y, x + 1, y + 1), depth);
-        let mut values = *values;
-        if let Some([s, t]) = self.origin() {
-            values.wide[0] -= s * values.wide[2];
-            values.wide[1] -= t * values.wide[2];
-        }
-        self.targets.engine.launch(&setup::pixel(x, y, &values, extended));
+        let drawn = Rect::new(x, y, x + 1, y + 1);
+        let begun = self.begin(mode, std::slice::from_ref(&values.texel), &drawn);
+        let Some(([left, top], first_texel)) = begun else { return };
+        let values = first_texel.map_or(*values, |texel| values.beginning_at(texel));
+        self.targets.engine.launch(&setup::pixel(x - left, y - top, &values));
     }
 
     /// Draws a triangle by the words of its corners.
-    #[inline]
-    fn triangle(&mut self, layout: &'static Layout, words: [&[u32]; 3]) {
-        if self.prepare().is_none() {
-            return;
+    #[inline(always)]
+    pub(super) fn triangle(&mut self, layout: &'static Layout, a: &[u32], b: &[u32], c: &[u32]) {
+        let Some(prepared) = self.prepare() else { return };
+        let mode = prepared.mode_of(layout);
+        self.launch(mode, &Words { layout, a, b, c, textured: mode.textured() });
+    }
+
+    /// The halves of a rectangle, of its upper left, upper right, lower left and
+    /// lower right corner.
+    pub(super) fn halves(&mut self, mode: Mode, corners: &[Corner; 4]) {
+        for half in HALVES {
+            self.launch(mode, &half.map(|i| corners[i]));
         }
-        let mode = self.mode_of(layout);
-        let Some(prepared) = &self.prepared else { return };
-        let [a, b, c] = words.map(|words| prepared.attributes.read(layout, words, mode.textured()));
-        self.launch(mode, [&a, &b, &c]);
     }
 
     /// A rectangle, from its upper left and lower right corner in sixteenths,
     /// with U and V of these corners.
     pub(super) fn rectangle(&mut self, mode: Mode, at: [[i32; 2]; 2], uv: [[u32; 2]; 2]) {
         let Some(prepared) = &self.prepared else { return };
-        let [[x0, y0], [x1, y1]] = at;
-        let [[u0, v0], [u1, v1]] = uv;
-        let attributes = &prepared.attributes;
-        let corner = |x, y, u, v| attributes.corner(x, y, u, v);
-        let (a, b) = (corner(x0, y0, u0, v0), corner(x1, y0, u1, v0));
-        let (c, d) = (corner(x0, y1, u0, v1), corner(x1, y1, u1, v1));
-        self.launch(mode, [&a, &b, &c]);
-        self.launch(mode, [&d, &c, &b]);
+        let corners = UPPER_LEFT_FIRST
+            .map(|[i, j]| prepared.attributes.corner([at[i][0], at[j][1]], [uv[i][0], uv[j][1]]));
+        self.halves(mode, &corners);
     }
 
     /// A primitive with vertices.
@@ -421,18 +568,11 @@ impl VeriteChip {
         let layout = vertex.layout();
         let size = vertex.words();
         let word = |i: usize| &words[i * size..(i + 1) * size];
+        let mut triangle = |a, b, c| self.triangle(layout, word(a), word(b), word(c));
         match opcode {
-            Opcode::Triangle => self.triangle(layout, [word(0), word(1), word(2)]),
-            Opcode::Tristrip => {
-                for i in 2..words.len() / size {
-                    self.triangle(layout, [word(i - 2), word(i - 1), word(i)]);
-                }
-            }
-            Opcode::Trifan => {
-                for i in 2..words.len() / size {
-                    self.triangle(layout, [word(0), word(i - 1), word(i)]);
-                }
-            }
+            Opcode::Triangle => triangle(0, 1, 2),
+            Opcode::Tristrip => (2..words.len() / size).for_each(|i| triangle(i - 2, i - 1, i)),
+            Opcode::Trifan => (2..words.len() / size).for_each(|i| triangle(0, i - 1, i)),
             Opcode::Square => self.centered(layout, words, [head[0], head[0]]),
             Opcode::Rectangle => self.centered(layout, words, [head[0], head[1]]),
             Opcode::Dot => self.dot(layout, words),
@@ -477,17 +617,17 @@ impl VeriteChip {
             _ => VertexType::KSXYZUVQ.layout(),
         };
         let size = words.len() / 3;
-        self.triangle(layout, [&words[..size], &words[size..2 * size], &words[2 * size..]]);
+        self.triangle(layout, &words[..size], &words[size..2 * size], &words[2 * size..]);
     }
 
     /// `V_FIFO_TRI_FILL`: the default colour, whatever the source function.
     pub(super) fn triangle_fill(&mut self, words: &[u32]) {
         let Some(prepared) = self.prepare() else { return };
         let corners = [0, 2, 4].map(|i| {
-            let [x, y] = [words[i], words[i + 1]].map(setup::sixteenths);
-            prepared.attributes.corner(x, y, 0, 0)
+            let place = [words[i], words[i + 1]].map(setup::sixteenths);
+            prepared.attributes.corner(place, [0, 0])
         });
-        self.launch(Mode::Flat, [&corners[0], &corners[1], &corners[2]]);
+        self.launch(Mode::Flat, &corners);
     }
 
     /// `V_FIFO_PARTICLES`: rectangles of one colour and depth.
@@ -501,14 +641,10 @@ impl VeriteChip {
             let [x, y] = [place >> 16, place & 0xffff].map(|v| i32::from(v as u16 as i16) * 16);
             let [width, height] = [size >> 16, size & 0xffff].map(|v| v as i32 * 16);
             let layout = VertexType::KXYZ.layout();
-            let corner = |x: i32, y: i32| {
-                let words = [color, (x << 12) as u32, (y << 12) as u32, z];
-                Corner { x, y, ..prepared.attributes.read(layout, &words, false) }
-            };
-            let (a, b) = (corner(x, y), corner(x + width, y));
-            let (c, d) = (corner(x, y + height), corner(x + width, y + height));
-            self.launch(Mode::Flat, [&a, &b, &c]);
-            self.launch(Mode::Flat, [&d, &c, &b]);
+            let corner = prepared.attributes.read(layout, &[color, 0, 0, z], false);
+            let place = |[i, j]: [usize; 2]| [x + [0, width][i], y + [0, height][j]];
+            let corners = UPPER_LEFT_FIRST.map(|at| corner.at(place(at)));
+            self.halves(Mode::Flat, &corners);
         }
     }
 
@@ -526,12 +662,11 @@ impl VeriteChip {
             let (columns, rows) = (f64::from(x1 - x) / 16.0, f64::from(y1 - y) / 16.0);
             let u = f64::from(ulu) + step[0] * columns + step[2] * rows;
             let v = f64::from(ulv) + step[1] * columns + step[3] * rows;
-            attributes.corner(x1, y1, u as i32 as u32, v as i32 as u32)
+            attributes.corner([x1, y1], [u as i32 as u32, v as i32 as u32])
         };
-        let (a, b, c, d) = (corner(x, y), corner(x1, y), corner(x, y1), corner(x1, y1));
+        let corners = UPPER_LEFT_FIRST.map(|[i, j]| corner([x, x1][i], [y, y1][j]));
         let mode = self.mode_of(&NO_Q);
-        self.launch(mode, [&a, &b, &c]);
-        self.launch(mode, [&d, &c, &b]);
+        self.halves(mode, &corners);
     }
 }
 

@@ -6,7 +6,7 @@
 
 use super::VeriteChip;
 use super::draw::Mode;
-use super::setup::{Corner, NARROW};
+use super::setup::{ALPHA, Corner, Values};
 use super::translate;
 use crate::vertex::{Attribute, Layout, VertexType};
 
@@ -14,8 +14,6 @@ use crate::vertex::{Attribute, Layout, VertexType};
 const HALF: i64 = 0x8000;
 /// A pixel in 16.16.
 const ONE: i64 = 0x1_0000;
-/// Index of alpha among a corner's values.
-const ALPHA: usize = 3;
 
 /// A line seen along its longer axis.
 #[derive(Clone, Copy, Debug)]
@@ -94,16 +92,6 @@ impl Walk {
     }
 }
 
-/// Values between two corners.
-fn between(a: &Corner, b: &Corner, fraction: f64) -> Corner {
-    let mix = |a: f64, b: f64| a + (b - a) * fraction;
-    let mut narrow = [0.0; NARROW];
-    for (i, out) in narrow.iter_mut().enumerate() {
-        *out = mix(a.narrow[i], b.narrow[i]);
-    }
-    Corner { narrow, wide: [0, 1, 2].map(|i| mix(a.wide[i], b.wide[i])), ..*a }
-}
-
 /// A vertex's place, 16.16.
 fn place(layout: &Layout, words: &[u32]) -> [i64; 2] {
     let at = |attribute| i64::from(layout.get(words, attribute).unwrap_or(0) as i32);
@@ -129,7 +117,7 @@ impl VeriteChip {
 
     /// Draws a pixel, or what the pattern has in its place: `step` counts along
     /// the line.
-    fn patterned(&mut self, mode: Mode, [x, y]: [i64; 2], step: i64, values: &Corner) {
+    fn patterned(&mut self, mode: Mode, [x, y]: [i64; 2], step: i64, values: &Values) {
         use crate::opcode::Register::PatEnable;
         if !self.state.is_set(PatEnable) || translate::pattern_draws(&self.state, step as u32) {
             return self.pixel(mode, x, y, values);
@@ -149,9 +137,9 @@ impl VeriteChip {
         }
         let mode = self.stepped_mode(layout, false);
         let Some(prepared) = &self.prepared else { return };
-        let corner = prepared.attributes.read(layout, words, true);
+        let values = Values::from(&prepared.attributes.read(layout, words, true));
         let [x, y] = place(layout, words).map(|v| v >> 16);
-        self.pixel(mode, x, y, &corner);
+        self.pixel(mode, x, y, &values);
     }
 
     /// `V_FIFO_LINE`: a pixel for each column, or row of steep lines, whose
@@ -165,7 +153,7 @@ impl VeriteChip {
         let walk = Walk::new(place(layout, words[0]), place(layout, words[1]));
         for step in self.steps(&walk) {
             let along = walk.pixel(step);
-            let values = between(&a, &b, walk.fraction(along));
+            let values = Values::between(&a, &b, walk.fraction(along));
             let at = walk.turned(along, walk.across(along) >> 16);
             self.patterned(mode, at, step, &values);
         }
@@ -175,7 +163,8 @@ impl VeriteChip {
     /// start.
     pub(super) fn int_line(&mut self, last: bool, from: u32, to: u32) {
         let Some(prepared) = self.prepare() else { return };
-        let (values, scissor) = (prepared.attributes.corner(0, 0, 0, 0), prepared.scissor);
+        let values = Values::from(&prepared.attributes.corner([0, 0], [0, 0]));
+        let scissor = prepared.scissor;
         let mode = Mode::Plain { textured: false, perspective: false };
         let point = |word: u32| [i64::from(word >> 16), i64::from(word & 0xffff)];
         let ([x0, y0], [x1, y1]) = (point(from), point(to));
@@ -206,7 +195,7 @@ impl VeriteChip {
     }
 
     /// Draws a pixel whose alpha is multiplied by its coverage.
-    fn covered(&mut self, mode: Mode, [x, y]: [i64; 2], coverage: f64, values: &Corner) {
+    fn covered(&mut self, mode: Mode, [x, y]: [i64; 2], coverage: f64, values: &Values) {
         use translate::SourceFunction;
         let replaced = matches!(mode, Mode::Coverage { textured: true, .. })
             && self.prepared.as_ref().is_some_and(|p| p.function == SourceFunction::Replace);
@@ -227,7 +216,7 @@ impl VeriteChip {
         let walk = Walk::new(place(layout, words[0]), place(layout, words[1]));
         for step in self.steps(&walk) {
             let along = walk.pixel(step);
-            let values = between(&a, &b, walk.fraction(along));
+            let values = Values::between(&a, &b, walk.fraction(along));
             let across = walk.across(along) - HALF;
             let (first, share) = (across >> 16, (across & 0xffff) as f64 / 65536.0);
             self.covered(mode, walk.turned(along, first), 1.0 - share, &values);
@@ -263,7 +252,7 @@ impl VeriteChip {
                 }
             };
             if inside > 0 {
-                let values = between(&a, &b, walk.fraction(along));
+                let values = Values::between(&a, &b, walk.fraction(along));
                 let at = walk.turned(along, pixel);
                 self.covered(mode, at, inside as f64 / ONE as f64, &values);
             }
@@ -285,7 +274,7 @@ impl VeriteChip {
         for step in first..end {
             advance(layout, &mut words, start, delta, step as u32);
             let Some(prepared) = &self.prepared else { return };
-            let values = prepared.attributes.read(layout, &words, true);
+            let values = Values::from(&prepared.attributes.read(layout, &words, true));
             self.pixel(mode, x + step, y, &values);
         }
     }
@@ -304,7 +293,7 @@ impl VeriteChip {
             for (column, [pu, pv]) in pairs.iter().enumerate() {
                 let Some(prepared) = &self.prepared else { return };
                 let (u, v) = (u.wrapping_add(*pu), v.wrapping_add(*pv));
-                let values = prepared.attributes.corner(0, 0, u, v);
+                let values = Values::from(&prepared.attributes.corner([0, 0], [u, v]));
                 self.pixel(mode, x + column as i64, y + row as i64, &values);
             }
         }

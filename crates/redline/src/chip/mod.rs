@@ -16,7 +16,7 @@ mod window;
 
 pub(crate) use state::State;
 
-use fillrate_engine::Counters;
+use fillrate_engine::{Counters, FlushReason};
 
 use self::area::Area;
 use self::draw::Prepared;
@@ -80,6 +80,20 @@ impl VeriteChip {
         while let Some(Ok(command)) = commands.next() {
             self.command(command);
             *at = commands.position();
+            if self.is_in_one_window() {
+                self.triangles_alike(&mut commands, at);
+            }
+        }
+    }
+
+    /// Triangles that follow one of their kind. Nothing between them changes what
+    /// they mean.
+    fn triangles_alike(&mut self, commands: &mut Commands<'_>, at: &mut usize) {
+        while let Some((vertex, words)) = commands.next_alike() {
+            let (a, rest) = words.split_at(vertex.words());
+            let (b, c) = rest.split_at(vertex.words());
+            self.triangle(vertex.layout(), a, b, c);
+            *at = Commands::position(commands);
         }
     }
 
@@ -126,10 +140,8 @@ impl VeriteChip {
                 self.state = State::default();
                 self.invalidate();
             }
-            Opcode::Display => (self.scanout.base, self.scanout.odd) = (words[0], None),
-            Opcode::StereoDisplay => {
-                (self.scanout.base, self.scanout.odd) = (words[1], Some(words[0]));
-            }
+            Opcode::Display => self.show(words[0], None),
+            Opcode::StereoDisplay => self.show(words[1], Some(words[0])),
             Opcode::MemWrite => self.mem_write(words),
             Opcode::MemWriteRect => self.mem_write_rect(words),
             Opcode::MemClearRect => self.mem_clear_rect(words),
@@ -148,6 +160,12 @@ impl VeriteChip {
             | Opcode::FrameMarker => {}
             _ => self.in_windows(|chip| chip.draw_other(opcode, flags, words)),
         }
+    }
+
+    /// Shows other rows. The frame is drawn while the next one comes.
+    fn show(&mut self, base: u32, odd: Option<u32>) {
+        (self.scanout.base, self.scanout.odd) = (base, odd);
+        self.targets.engine.submit(FlushReason::Swap);
     }
 
     /// Commands that draw without vertices.

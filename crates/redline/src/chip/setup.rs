@@ -6,15 +6,20 @@
 //!
 //! Source: RR, vertex types and attribute formats.
 
+use fillrate_engine::setup::{VeriteSlopes, verite_triangle};
 use fillrate_engine::state::Rect;
-use fillrate_engine::{Param, Registers, WideParam};
+use fillrate_engine::{Param, Registers, VeriteExtra, VeriteVertex, WideParam};
 
 use super::state::State;
 use crate::opcode::Register;
 use crate::vertex::{Attribute, Layout};
 
 /// Colour, alpha, z, specular colour, fog.
-pub(crate) const NARROW: usize = 9;
+const NARROW: usize = 9;
+/// Index of alpha among them.
+pub(crate) const ALPHA: usize = 3;
+/// Index of fog in [`VeriteExtra::specular`].
+const FOG: usize = 3;
 /// Index of z among them.
 const Z: usize = 4;
 /// 1.0 with 32 fraction bits.
@@ -24,24 +29,83 @@ const AROUND_CENTER: [[i32; 2]; 3] = [[4, 4], [12, 4], [8, 12]];
 /// The farthest coordinate that the engine takes, in sixteenths.
 const LIMIT: i32 = 2047 * 16;
 
-/// A vertex ready for set-up.
+/// A vertex as it was read.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Corner {
-    /// Column in sixteenths.
-    pub x: i32,
-    /// Row in sixteenths.
-    pub y: i32,
+    /// Column and row in sixteenths.
+    pub place: [i32; 2],
+    /// As the engine takes it; its place counts within [`LIMIT`].
+    pub vertex: VeriteVertex,
+    /// What states may read besides.
+    pub extra: VeriteExtra,
+}
+
+impl Corner {
+    /// The same corner at another place.
+    pub fn at(&self, place: [i32; 2]) -> Corner {
+        let mut corner = Corner { place, ..*self };
+        put(place, &mut corner.vertex);
+        corner
+    }
+
+    /// The same corner where pixel `at` is the first one.
+    pub fn moved(&self, [x, y]: [u32; 2]) -> Corner {
+        self.at([self.place[0] - (x << 4) as i32, self.place[1] - (y << 4) as i32])
+    }
+
+    /// The same corner of a texture that begins with another texel.
+    pub fn beginning_at(&self, at: [f64; 2]) -> Corner {
+        self.with_texel(texel_beginning_at(self.extra.texel, at))
+    }
+
+    /// The same corner with another texel.
+    pub fn with_texel(&self, texel: [f64; 3]) -> Corner {
+        Corner { extra: VeriteExtra { texel, ..self.extra }, ..*self }
+    }
+}
+
+/// Puts a vertex at a place.
+#[inline(always)]
+fn put([x, y]: [i32; 2], vertex: &mut VeriteVertex) {
+    (vertex.x, vertex.y) = (x as i16, y as i16);
+}
+
+fn texel_beginning_at([u, v, q]: [f64; 3], [s, t]: [f64; 2]) -> [f64; 3] {
+    [u - s * q, v - t * q, q]
+}
+
+/// What a vertex has but its place, for what lies between two of them.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Values {
     /// Red, green, blue, alpha (12.12), z (21.11), specular red, green, blue
     /// and fog (12.12).
     pub narrow: [f64; NARROW],
     /// Column and row of the texture times Q, and Q, with 32 fraction bits.
-    pub wide: [f64; 3],
+    pub texel: [f64; 3],
 }
 
-impl Corner {
-    /// The same corner where pixel `at` is the first one.
-    pub fn moved(&self, [x, y]: [u32; 2]) -> Corner {
-        Corner { x: self.x - (x << 4) as i32, y: self.y - (y << 4) as i32, ..*self }
+impl From<&Corner> for Values {
+    fn from(Corner { vertex, extra, .. }: &Corner) -> Values {
+        let ([r, g, b, a], [sr, sg, sb, fog]) = (vertex.color, extra.specular);
+        let narrow = [r, g, b, a, vertex.z, sr, sg, sb, fog].map(f64::from);
+        Values { narrow, texel: extra.texel }
+    }
+}
+
+impl Values {
+    /// Values between two corners.
+    pub fn between(a: &Corner, b: &Corner, fraction: f64) -> Values {
+        let (a, b) = (Values::from(a), Values::from(b));
+        let mix = |a: f64, b: f64| a + (b - a) * fraction;
+        Values {
+            narrow: std::array::from_fn(|i| mix(a.narrow[i], b.narrow[i])),
+            texel: std::array::from_fn(|i| mix(a.texel[i], b.texel[i])),
+        }
+    }
+
+    /// See [`Corner::beginning_at`].
+    pub fn beginning_at(&self, at: [f64; 2]) -> Values {
+        Values { texel: texel_beginning_at(self.texel, at), ..*self }
     }
 }
 
@@ -49,7 +113,8 @@ impl Corner {
 /// what becomes of texture coordinates.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Attributes {
-    narrow: [f64; NARROW],
+    /// Default attributes; place and texel mean nothing.
+    defaults: Corner,
     /// Default U and V.
     coordinates: [u32; 2],
     multipliers: [f64; 2],
@@ -62,23 +127,42 @@ pub(crate) struct Attributes {
 }
 
 /// A channel of 16.16, 0 to 255, as 12.12.
-fn channel(word: u32) -> f64 {
-    f64::from((word as i32).clamp(0, 0xff_ffff) >> 4)
+#[inline]
+fn channel(word: u32) -> i32 {
+    (word as i32).clamp(0, 0xff_ffff) >> 4
 }
 
-/// A byte of a packed colour as 12.12.
-fn byte(word: u32, shift: u32) -> f64 {
-    f64::from((word >> shift & 0xff) << 12)
+/// Red, green, blue and alpha of a packed colour as 12.12.
+#[inline]
+fn packed(word: u32) -> [i32; 4] {
+    let [b, g, r, a] = word.to_le_bytes().map(|byte| i32::from(byte) << 12);
+    [r, g, b, a]
 }
 
-/// Red, green and blue of a packed colour.
-fn packed(word: u32) -> [f64; 3] {
-    [byte(word, 16), byte(word, 8), byte(word, 0)]
+/// The same with another alpha.
+#[inline]
+fn packed_with(word: u32, alpha: i32) -> [i32; 4] {
+    let [r, g, b, _] = packed(word);
+    [r, g, b, alpha]
+}
+
+/// z of 16.16 as 21.11.
+#[inline]
+fn depth(word: u32) -> i32 {
+    (word >> 5) as i32
 }
 
 /// 16.16 to sixteenths, to the nearest.
+#[inline]
 pub(crate) fn sixteenths(word: u32) -> i32 {
-    ((i64::from(word as i32) + 0x800) >> 12) as i32
+    ((word as i32 >> 11) + 1) >> 1
+}
+
+/// A vertex's place in sixteenths.
+#[inline(always)]
+pub(crate) fn place(layout: &Layout, words: &[u32]) -> [i32; 2] {
+    let [x, y] = [layout.get(words, Attribute::X), layout.get(words, Attribute::Y)];
+    [sixteenths(x.unwrap_or(0)), sixteenths(y.unwrap_or(0))]
 }
 
 impl Attributes {
@@ -87,14 +171,18 @@ impl Attributes {
         let get = |register| state.get(register);
         let [r, g, b, a, f] = [Register::R, Register::G, Register::B, Register::A, Register::F]
             .map(|register| channel(get(register)));
-        let [sr, sg, sb] = packed(get(Register::SpecularColorRgb));
-        let z = f64::from(get(Register::Z) >> 5);
+        let specular = packed_with(get(Register::SpecularColorRgb), f);
         // The engine takes half a texel off where it filters; the chip does not.
         let half = if filtered { 0.5 } else { 0.0 };
         let offset = |register| f64::from(get(register) as i32) / 65536.0 + half;
         let multiplier = |register| f64::from(get(register)) / 65536.0;
+        let (color, z) = ([r, g, b, a], depth(get(Register::Z)));
         Attributes {
-            narrow: [r, g, b, a, z, sr, sg, sb, f],
+            defaults: Corner {
+                vertex: VeriteVertex { color, z, ..VeriteVertex::default() },
+                extra: VeriteExtra { specular, ..VeriteExtra::default() },
+                ..Corner::default()
+            },
             coordinates: [get(Register::U), get(Register::V)],
             multipliers: [multiplier(Register::UMultiplier), multiplier(Register::VMultiplier)],
             offsets: [offset(Register::SOffset), offset(Register::TOffset)],
@@ -103,9 +191,9 @@ impl Attributes {
         }
     }
 
-    /// A vertex of the default attributes at a place.
-    pub fn corner(&self, x: i32, y: i32, u: u32, v: u32) -> Corner {
-        Corner { x, y, narrow: self.narrow, wide: self.texel(u, v, ONE) }
+    /// A vertex of the default attributes at a place, in sixteenths.
+    pub fn corner(&self, place: [i32; 2], [u, v]: [u32; 2]) -> Corner {
+        self.defaults.at(place).with_texel(self.texel(u, v, ONE))
     }
 
     /// Column and row times Q, and Q; `q` has 32 fraction bits.
@@ -119,51 +207,74 @@ impl Attributes {
     }
 
     /// Reads a vertex; `textured` where its coordinates are needed.
-    #[inline]
     pub fn read(&self, layout: &Layout, words: &[u32], textured: bool) -> Corner {
-        let get = |attribute| layout.get(words, attribute);
-        let mut narrow = self.narrow;
-        if let Some(k) = get(Attribute::K) {
-            narrow[..3].copy_from_slice(&packed(k));
-        } else if let Some(r) = get(Attribute::R) {
-            narrow[0] = channel(r);
-            narrow[1] = get(Attribute::G).map_or(narrow[1], channel);
-            narrow[2] = get(Attribute::B).map_or(narrow[2], channel);
-        } else if let Some(i) = get(Attribute::I) {
-            narrow[..3].fill(channel(i));
-        } else if let Some(ka) = get(Attribute::Ka) {
-            narrow[..3].copy_from_slice(&packed(ka));
-            narrow[3] = byte(ka, 24);
-        }
-        if let Some(a) = get(Attribute::A) {
-            narrow[3] = channel(a);
-        }
-        if let Some(z) = get(Attribute::Z) {
-            narrow[Z] = f64::from(z >> 5);
-        }
-        if self.extended {
-            self.read_extended(layout, words, &mut narrow);
-        }
-        let place = |attribute| sixteenths(get(attribute).unwrap_or(0));
-        let (x, y) = (place(Attribute::X), place(Attribute::Y));
-        let wide = if textured { self.read_texel(layout, words) } else { [0.0; 3] };
-        Corner { x, y, narrow, wide }
+        let place = place(layout, words);
+        let Corner { mut vertex, mut extra, .. } = self.defaults;
+        self.read_to(layout, words, place, &mut vertex);
+        self.read_extra_to(layout, words, textured, &mut extra);
+        Corner { place, vertex, extra }
     }
 
-    fn read_extended(&self, layout: &Layout, words: &[u32], narrow: &mut [f64; NARROW]) {
+    /// What a vertex has for every state, to where it is kept: faster than making
+    /// it and moving it there.
+    #[inline(always)]
+    pub fn read_to(&self, layout: &Layout, words: &[u32], place: [i32; 2], to: &mut VeriteVertex) {
+        let get = |attribute| layout.get(words, attribute);
+        let VeriteVertex { mut color, z, .. } = self.defaults.vertex;
+        put(place, to);
+        to.z = get(Attribute::Z).map_or(z, depth);
+        if let Some(k) = get(Attribute::K) {
+            color = packed_with(k, color[ALPHA]);
+        } else if let Some(r) = get(Attribute::R) {
+            color[0] = channel(r);
+            color[1] = get(Attribute::G).map_or(color[1], channel);
+            color[2] = get(Attribute::B).map_or(color[2], channel);
+        } else if let Some(i) = get(Attribute::I) {
+            color[..3].fill(channel(i));
+        } else if let Some(ka) = get(Attribute::Ka) {
+            color = packed(ka);
+        }
+        to.color = color;
+        if let Some(a) = get(Attribute::A) {
+            to.color[ALPHA] = channel(a);
+        }
+    }
+
+    /// What it has besides.
+    #[inline]
+    pub fn read_extra_to(
+        &self,
+        layout: &Layout,
+        words: &[u32],
+        textured: bool,
+        to: &mut VeriteExtra,
+    ) {
+        *to = self.defaults.extra;
+        if self.extended {
+            to.specular = self.read_extended(layout, words);
+        }
+        if textured {
+            to.texel = self.read_texel(layout, words);
+        }
+    }
+
+    #[inline(never)]
+    fn read_extended(&self, layout: &Layout, words: &[u32]) -> [i32; 4] {
+        let mut specular = self.defaults.extra.specular;
         if let Some(s) = layout.get(words, Attribute::S) {
-            narrow[5..8].copy_from_slice(&packed(s));
+            specular = packed_with(s, specular[FOG]);
         } else if let Some(sf) = layout.get(words, Attribute::Sf) {
-            narrow[5..8].copy_from_slice(&packed(sf));
-            narrow[8] = byte(sf, 24);
+            specular = packed(sf);
         } else if let Some(fog) = layout.get(words, Attribute::Fp) {
-            narrow[8] = byte(fog, 24);
+            specular[FOG] = packed(fog)[FOG];
         }
         if let Some(f) = layout.get(words, Attribute::F) {
-            narrow[8] = channel(f);
+            specular[FOG] = channel(f);
         }
+        specular
     }
 
+    #[inline]
     fn read_texel(&self, layout: &Layout, words: &[u32]) -> [f64; 3] {
         let u = layout.get(words, Attribute::U).unwrap_or(self.coordinates[0]);
         let v = layout.get(words, Attribute::V).unwrap_or(self.coordinates[1]);
@@ -173,116 +284,120 @@ impl Attributes {
     }
 }
 
-/// A plane: value at a corner and steps.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Planes {
+/// How far a triangle reaches, in sixteenths.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Extent {
+    low: [i32; 2],
+    high: [i32; 2],
+}
+
+impl Extent {
+    #[inline]
+    pub fn new([a, b, c]: [[i32; 2]; 3]) -> Extent {
+        let low = |axis: usize| a[axis].min(b[axis]).min(c[axis]);
+        let high = |axis: usize| a[axis].max(b[axis]).max(c[axis]);
+        Extent { low: [low(0), low(1)], high: [high(0), high(1)] }
+    }
+
+    /// Where the triangle's pixels are.
+    #[inline]
+    pub fn pixels(&self) -> Rect {
+        let [x0, y0] = self.low.map(|v| (v >> 4).max(0) as u32);
+        let [x1, y1] = self.high.map(|v| ((v >> 4) + 1).max(0) as u32);
+        Rect::new(x0, y0, x1, y1)
+    }
+
+    /// Whether the engine takes it as it is.
+    #[inline]
+    pub fn is_near(&self) -> bool {
+        self.low[0].min(self.low[1]) >= -LIMIT && self.high[0].max(self.high[1]) <= LIMIT
+    }
+}
+
+/// The planes of a triangle that is cut: values at a corner, and steps.
+#[derive(Clone, Copy, Debug)]
+struct Planes {
+    place: [i32; 2],
+    start: Values,
     /// Of a pixel to the right and below.
     narrow: [[f64; NARROW]; 2],
-    wide: [[f64; 3]; 2],
-}
-
-/// Where a triangle's pixels are.
-pub(crate) fn bounds(corners: &[&Corner; 3]) -> Rect {
-    let [a, b, c] = corners;
-    let low = |a: i32, b: i32, c: i32| (a.min(b).min(c) >> 4).max(0) as u32;
-    let high = |a: i32, b: i32, c: i32| ((a.max(b).max(c) >> 4) + 1).max(0) as u32;
-    Rect::new(low(a.x, b.x, c.x), low(a.y, b.y, c.y), high(a.x, b.x, c.x), high(a.y, b.y, c.y))
-}
-
-/// Steps of `N` values per pixel.
-#[inline(always)]
-fn steps<const N: usize>(
-    [a, b, c]: [&[f64; N]; 3],
-    [dx_ab, dy_ab, dx_bc, dy_bc]: [f64; 4],
-) -> [[f64; N]; 2] {
-    let mut out = [[0.0; N]; 2];
-    for i in 0..N {
-        let (d_ab, d_bc) = (a[i] - b[i], b[i] - c[i]);
-        out[0][i] = d_ab * dy_bc - d_bc * dy_ab;
-        out[1][i] = d_bc * dx_ab - d_ab * dx_bc;
-    }
-    out
+    texel: [[f64; 3]; 2],
 }
 
 impl Planes {
     /// The planes through three corners; `None` where they lie on a line.
-    #[inline]
-    fn new([a, b, c]: &[&Corner; 3], textured: bool) -> Option<Planes> {
-        let [dx_ab, dy_ab] = [a.x - b.x, a.y - b.y].map(f64::from);
-        let [dx_bc, dy_bc] = [b.x - c.x, b.y - c.y].map(f64::from);
-        let area = dx_ab * dy_bc - dx_bc * dy_ab;
-        if area == 0.0 {
-            return None;
-        }
-        // Sixteen sixteenths are a pixel.
-        let scale = 16.0 / area;
-        let sides = [dx_ab, dy_ab, dx_bc, dy_bc].map(|side| side * scale);
-        let narrow = steps([&a.narrow, &b.narrow, &c.narrow], sides);
-        let wide = match textured {
-            true => steps([&a.wide, &b.wide, &c.wide], sides),
-            false => [[0.0; 3]; 2],
-        };
-        Some(Planes { narrow, wide })
+    fn new([a, b, c]: [&Corner; 3]) -> Option<Planes> {
+        let slopes = VeriteSlopes::new([a.place, b.place, c.place])?;
+        let values = [a, b, c].map(Values::from);
+        Some(Planes {
+            place: a.place,
+            start: values[0],
+            narrow: slopes.steps(values.each_ref().map(|values| &values.narrow)),
+            texel: slopes.steps(values.each_ref().map(|values| &values.texel)),
+        })
     }
 
-    /// The corner that lies on these planes through `from` at a place.
-    fn corner_at(&self, from: &Corner, x: i32, y: i32) -> Corner {
-        let (columns, rows) = (f64::from(x - from.x) / 16.0, f64::from(y - from.y) / 16.0);
+    /// The values at a place.
+    fn at(&self, [x, y]: [i32; 2]) -> Values {
+        let columns = f64::from(x - self.place[0]) / 16.0;
+        let rows = f64::from(y - self.place[1]) / 16.0;
         let at = |start: f64, dx: f64, dy: f64| start + dx * columns + dy * rows;
-        let mut corner = Corner { x, y, ..*from };
-        for (i, value) in corner.narrow.iter_mut().enumerate() {
-            *value = at(*value, self.narrow[0][i], self.narrow[1][i]);
+        let Planes { start, narrow, texel, .. } = self;
+        Values {
+            narrow: std::array::from_fn(|i| at(start.narrow[i], narrow[0][i], narrow[1][i])),
+            texel: std::array::from_fn(|i| at(start.texel[i], texel[0][i], texel[1][i])),
         }
-        for (i, value) in corner.wide.iter_mut().enumerate() {
-            *value = at(*value, self.wide[0][i], self.wide[1][i]);
-        }
-        corner
     }
 
-    fn param(&self, from: &Corner, i: usize) -> Param {
-        let fixed = |value: f64| value as i32;
-        let (start, [dx, dy]) = (from.narrow[i], self.narrow);
-        Param { start: fixed(start), dx: fixed(dx[i]), dy: fixed(dy[i]) }
-    }
-
-    /// z: 21.11 in iterators of 20.12.
-    fn depth(&self, from: &Corner) -> Param {
-        let fixed = |value: f64| ((value as i64) << 1) as i32;
-        let (start, [dx, dy]) = (from.narrow[Z], self.narrow);
-        Param { start: fixed(start), dx: fixed(dx[Z]), dy: fixed(dy[Z]) }
-    }
-
-    fn wide(&self, from: &Corner, i: usize) -> WideParam {
-        let fixed = |value: f64| value as i64;
-        let (start, [dx, dy]) = (from.wide[i], self.wide);
-        WideParam { start: fixed(start), dx: fixed(dx[i]), dy: fixed(dy[i]) }
-    }
-
-    /// The registers of the triangle of three places, values from `from`.
-    #[inline]
-    fn registers(&self, places: [[i32; 2]; 3], from: &Corner, extended: bool) -> Registers {
-        let mut registers = Registers {
-            x: places.map(|place| place[0]),
-            y: places.map(|place| place[1]),
-            negative: twice_area(&places) < 0,
-            color: [0, 1, 2, 3].map(|i| self.param(from, i)),
-            z: self.depth(from),
-            ..Registers::default()
-        };
-        registers.tmu[0] = [0, 1, 2].map(|i| self.wide(from, i));
-        if extended {
-            registers.specular = [5, 6, 7, 8].map(|i| self.param(from, i));
-        }
-        registers
+    /// The registers of the part of three places, the first of them the upper one.
+    fn registers(&self, places: [[i32; 2]; 3]) -> Registers {
+        let first = self.at(places[0]);
+        registers(
+            places,
+            &first,
+            [&self.narrow[0], &self.narrow[1]],
+            [&self.texel[0], &self.texel[1]],
+        )
     }
 }
 
-/// The registers of a triangle that covers one pixel, with the values of a
-/// corner.
-pub(crate) fn pixel(x: u32, y: u32, values: &Corner, extended: bool) -> Registers {
+/// The registers of the triangle of three places with values at the first of them,
+/// and steps.
+fn registers(
+    places: [[i32; 2]; 3],
+    first: &Values,
+    narrow: [&[f64; NARROW]; 2],
+    texel: [&[f64; 3]; 2],
+) -> Registers {
+    let param = |i: usize| {
+        let [start, dx, dy] = [first.narrow[i], narrow[0][i], narrow[1][i]].map(|v| v as i32);
+        Param { start, dx, dy }
+    };
+    // 21.11 in iterators of 20.12.
+    let [start, dx, dy] =
+        [first.narrow[Z], narrow[0][Z], narrow[1][Z]].map(|v| ((v as i64) << 1) as i32);
+    let wide = |i: usize| {
+        let [start, dx, dy] = [first.texel[i], texel[0][i], texel[1][i]].map(|v| v as i64);
+        WideParam { start, dx, dy }
+    };
+    Registers {
+        x: places.map(|place| place[0]),
+        y: places.map(|place| place[1]),
+        negative: twice_area(&places) < 0,
+        color: [0, 1, 2, ALPHA].map(param),
+        z: Param { start, dx, dy },
+        tmu: [[0, 1, 2].map(wide), Default::default(), Default::default()],
+        specular: [5, 6, 7, 8].map(param),
+        ..Registers::default()
+    }
+}
+
+/// The registers of a triangle that covers one pixel, with the same values all
+/// over it.
+pub(crate) fn pixel(x: u32, y: u32, values: &Values) -> Registers {
     let (x, y) = (x as i32 * 16, y as i32 * 16);
     let places = AROUND_CENTER.map(|[dx, dy]| [x + dx, y + dy]);
-    Planes::default().registers(places, values, extended)
+    registers(places, values, [&[0.0; NARROW]; 2], [&[0.0; 3]; 2])
 }
 
 /// The sign says which side the second of three places lies on.
@@ -291,48 +406,22 @@ fn twice_area(places: &[[i32; 2]; 3]) -> i64 {
     (a[0] - b[0]) * (b[1] - c[1]) - (b[0] - c[0]) * (a[1] - b[1])
 }
 
-/// The order of three rows, from the top.
-#[inline]
-fn sorted(y: [i32; 3]) -> [usize; 3] {
-    let mut order = [0, 1, 2];
-    if y[order[0]] > y[order[1]] {
-        order.swap(0, 1);
+/// The registers of a triangle: of several parts of it where its corners lie too
+/// far away for the engine.
+pub(crate) fn parts(corners: [&Corner; 3]) -> Vec<Registers> {
+    let places = corners.map(|corner| corner.place);
+    if Extent::new(places).is_near() {
+        let (vertices, extras) = (corners.map(|c| &c.vertex), corners.map(|c| &c.extra));
+        return verite_triangle(vertices, extras).into_iter().collect();
     }
-    if y[order[1]] > y[order[2]] {
-        order.swap(1, 2);
-    }
-    if y[order[0]] > y[order[1]] {
-        order.swap(0, 1);
-    }
-    order
-}
-
-/// Sets a triangle up and passes it on, in several parts where its corners lie
-/// too far away for the engine.
-#[inline]
-pub(crate) fn launch(
-    corners: &[&Corner; 3],
-    textured: bool,
-    extended: bool,
-    mut out: impl FnMut(&Registers),
-) {
-    let Some(planes) = Planes::new(corners, textured) else { return };
-    let near = |v: i32| (-LIMIT..=LIMIT).contains(&v);
-    if corners.iter().all(|corner| near(corner.x) && near(corner.y)) {
-        let order = sorted(corners.map(|corner| corner.y));
-        let places = order.map(|i| [corners[i].x, corners[i].y]);
-        out(&planes.registers(places, corners[order[0]], extended));
-        return;
-    }
-    let polygon = clipped(corners.map(|corner| [corner.x, corner.y]));
-    for i in 2..polygon.len() {
-        let places = [polygon[0], polygon[i - 1], polygon[i]];
-        let places = sorted(places.map(|place| place[1])).map(|i| places[i]);
-        if twice_area(&places) != 0 {
-            let first = planes.corner_at(corners[0], places[0][0], places[0][1]);
-            out(&planes.registers(places, &first, extended));
-        }
-    }
+    let Some(planes) = Planes::new(corners) else { return Vec::new() };
+    let polygon = clipped(places);
+    let fan = (2..polygon.len()).map(|i| [polygon[0], polygon[i - 1], polygon[i]]);
+    let parts = fan.map(|mut places| {
+        places.sort_by_key(|place| place[1]);
+        places
+    });
+    parts.filter(|places| twice_area(places) != 0).map(|places| planes.registers(places)).collect()
 }
 
 /// The part of a triangle that the engine can take, as a polygon.
@@ -371,32 +460,30 @@ fn crossing(a: [i32; 2], b: [i32; 2], axis: usize, limit: i32) -> [i32; 2] {
 mod tests {
     use super::*;
 
-    fn corner(x: i32, y: i32, red: f64) -> Corner {
-        let mut narrow = [0.0; NARROW];
-        narrow[0] = red;
-        Corner { x: x * 16, y: y * 16, narrow, wide: [0.0; 3] }
-    }
-
-    #[test]
-    fn steps_are_per_pixel() {
-        let (a, b, c) =
-            (corner(10, 10, 0.0), corner(20, 10, 4096.0 * 10.0), corner(10, 30, 4096.0));
-        let mut found = Vec::new();
-        launch(&[&a, &b, &c], false, false, |registers| found.push(*registers));
-        let [registers] = found[..] else { panic!("one triangle") };
-        assert_eq!(registers.color[0], Param { start: 0, dx: 4096, dy: 204 });
-        assert_eq!((registers.x, registers.y), ([160, 320, 160], [160, 160, 480]));
+    fn corner(x: i32, y: i32, red: i32) -> Corner {
+        let vertex = VeriteVertex { color: [red, 0, 0, 0], ..VeriteVertex::default() };
+        Corner { vertex, ..Corner::default() }.at([x * 16, y * 16])
     }
 
     #[test]
     fn far_corners_are_cut_off() {
-        let (a, b, c) = (corner(-9000, 5, 0.0), corner(9000, 5, 0.0), corner(0, 30000, 0.0));
-        let mut count = 0;
-        launch(&[&a, &b, &c], false, false, |registers| {
-            count += 1;
+        let (a, b, c) = (corner(-9000, 5, 0), corner(9000, 5, 1 << 20), corner(0, 30000, 0));
+        let found = parts([&a, &b, &c]);
+        assert!(found.len() >= 2);
+        for registers in found {
             assert!(registers.x.iter().chain(&registers.y).all(|v| v.abs() <= LIMIT));
-        });
-        assert!(count >= 2);
-        launch(&[&a, &a, &c], false, false, |_| panic!("it has no area"));
+            assert_eq!(registers.color[0].dx, (1 << 20) / 18000);
+        }
+        assert_eq!(parts([&a, &a, &c]), []);
+    }
+
+    /// What is cut has the planes of what is not.
+    #[test]
+    fn parts_lie_in_one_plane() {
+        let corners = [corner(10, 10, 0), corner(20, 10, 4096 * 10), corner(10, 30, 4096)];
+        let [a, b, c] = corners.each_ref();
+        let [whole] = parts([a, b, c])[..] else { panic!("one triangle") };
+        let planes = Planes::new([a, b, c]).unwrap();
+        assert_eq!(planes.registers([a.place, b.place, c.place]), whole);
     }
 }

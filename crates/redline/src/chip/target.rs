@@ -133,16 +133,7 @@ impl Resident {
         if rect.is_empty() {
             return;
         }
-        let old = self.dirty;
-        self.dirty = match old.is_empty() {
-            true => rect,
-            false => Rect::new(
-                old.x0.min(rect.x0),
-                old.y0.min(rect.y0),
-                old.x1.max(rect.x1),
-                old.y1.max(rect.y1),
-            ),
-        };
+        self.dirty = if self.dirty.is_empty() { rect } else { around(&self.dirty, &rect) };
     }
 
     /// The pixels that bytes of one line lie in, as rectangles of one row.
@@ -163,6 +154,25 @@ impl Resident {
     }
 }
 
+/// The smallest rectangle around two that are not empty.
+#[inline]
+fn around(a: &Rect, b: &Rect) -> Rect {
+    Rect::new(a.x0.min(b.x0), a.y0.min(b.y0), a.x1.max(b.x1), a.y1.max(b.y1))
+}
+
+/// Where the target was drawn since residents last heard of it.
+#[derive(Clone, Copy, Debug)]
+struct Drawn {
+    rect: Rect,
+    /// The depth buffer was, too.
+    depth: bool,
+}
+
+impl Drawn {
+    /// Nowhere: what [`around`] it and a rectangle is that rectangle.
+    const NOWHERE: Drawn = Drawn { rect: Rect::new(u32::MAX, u32::MAX, 0, 0), depth: false };
+}
+
 /// The engine and what it holds of video memory.
 #[derive(Debug)]
 pub(crate) struct Targets {
@@ -174,6 +184,7 @@ pub(crate) struct Targets {
     /// The engine's target.
     color: Option<SurfaceId>,
     depth: Option<SurfaceId>,
+    drawn: Drawn,
     made: u32,
     clock: u64,
     /// Counters of engines before this one.
@@ -193,6 +204,7 @@ impl Targets {
             room: MAX_RESIDENTS,
             color: None,
             depth: None,
+            drawn: Drawn::NOWHERE,
             made: 0,
             clock: 0,
             counters: Counters::default(),
@@ -217,6 +229,7 @@ impl Targets {
         (width, height): (u32, u32),
         room: usize,
     ) -> bool {
+        self.settle();
         self.clock += 1;
         self.room = room.max(MAX_RESIDENTS);
         if self.made >= MAX_SURFACES {
@@ -302,6 +315,7 @@ impl Targets {
     /// Starts over after the engine broke off. Pixels that it still gives are
     /// written back.
     pub fn recover(&mut self, memory: &mut VideoMemory) {
+        self.settle();
         for at in 0..self.residents.len() {
             let save = AssertUnwindSafe(|| self.write_back(memory, at));
             if catch_unwind(save).is_err() {
@@ -324,12 +338,14 @@ impl Targets {
         let Resident { place, area, surface, .. } = self.residents[at];
         let Ok(surface) = self.engine.surface(surface) else { return };
         let bytes = place.kind.bytes();
+        let mut pixels = Vec::new();
         for y in rect.y0..rect.y1 {
             let from = area.base + y * area.pitch + rect.x0 * bytes;
             let row = memory.get(from, (rect.x1 - rect.x0) * bytes);
-            for (x, pixel) in (rect.x0..rect.x1).zip(row.chunks_exact(bytes as usize)) {
-                surface.set(x, y, place.kind.exchange(pixel_of(pixel)));
-            }
+            let row = row.chunks_exact(bytes as usize).map(pixel_of);
+            pixels.clear();
+            pixels.extend(row.map(|pixel| place.kind.exchange(pixel)));
+            surface.write_run(rect.x0, y, &pixels);
         }
     }
 
@@ -342,18 +358,21 @@ impl Targets {
         self.residents[at].dirty = Rect::default();
         let Ok(surface) = self.engine.surface(surface) else { return };
         let bytes = place.kind.bytes();
+        let mut pixels = vec![0; (dirty.x1 - dirty.x0) as usize];
         for y in dirty.y0..dirty.y1 {
             let to = area.base + y * area.pitch + dirty.x0 * bytes;
             let row = memory.get_mut(to, (dirty.x1 - dirty.x0) * bytes);
-            for (x, out) in (dirty.x0..dirty.x1).zip(row.chunks_exact_mut(bytes as usize)) {
-                let pixel = place.kind.exchange(surface.get(x, y));
-                out.copy_from_slice(&pixel.to_le_bytes()[..bytes as usize]);
+            surface.read_run(dirty.x0, y, &mut pixels);
+            for (&pixel, out) in pixels.iter().zip(row.chunks_exact_mut(bytes as usize)) {
+                let pixel = place.kind.exchange(pixel);
+                out.copy_from_slice(&pixel.to_le_bytes()[..out.len()]);
             }
         }
     }
 
     /// Brings memory up to date in an area, for reading.
     pub fn sync(&mut self, memory: &mut VideoMemory, area: &Area) {
+        self.settle();
         for at in 0..self.residents.len() {
             if !self.residents[at].dirty.is_empty() && self.residents[at].area.overlaps(area) {
                 self.write_back(memory, at);
@@ -363,6 +382,7 @@ impl Targets {
 
     /// Writes bytes that follow one another, into memory and into residents.
     pub fn write(&mut self, memory: &mut VideoMemory, address: u32, bytes: &[u8]) {
+        self.settle();
         let line = Area::line(address, bytes.len() as u32);
         for at in 0..self.residents.len() {
             let resident = &self.residents[at];
@@ -387,6 +407,7 @@ impl Targets {
     /// Fills an area with a pixel value through the engine, where it is a
     /// rectangle of a resident; false where it is not.
     pub fn clear(&mut self, area: &Area, value: u32) -> bool {
+        self.settle();
         let Some(at) = self.residents.iter().position(|r| r.area.overlaps(area)) else {
             return false;
         };
@@ -420,12 +441,25 @@ impl Targets {
         true
     }
 
-    /// Notes that the target changes within a rectangle.
+    /// Notes that the target changes within a rectangle that is not empty.
+    #[inline(always)]
     pub fn drawn(&mut self, rect: &Rect, depth: bool) {
+        if depth != self.drawn.depth {
+            self.settle();
+            self.drawn.depth = depth;
+        }
+        self.drawn.rect = around(&self.drawn.rect, rect);
+    }
+
+    /// Tells the target's residents where it was drawn. Due before anything asks
+    /// residents, and before the target changes.
+    #[inline(never)]
+    fn settle(&mut self) {
+        let Drawn { rect, depth } = std::mem::replace(&mut self.drawn, Drawn::NOWHERE);
         let (color, aux) = (self.color, self.depth.filter(|_| depth));
         for resident in &mut self.residents {
             if Some(resident.surface) == color || Some(resident.surface) == aux {
-                resident.add_dirty(rect);
+                resident.add_dirty(&rect);
             }
         }
     }

@@ -47,7 +47,7 @@ impl VeriteChip {
         if area.is_empty() {
             return;
         }
-        if self.targets.clear(area, value) {
+        if self.clear(area, value) {
             return;
         }
         let mut line = Vec::with_capacity(area.row as usize + 3);
@@ -60,6 +60,17 @@ impl VeriteChip {
             let count = if last { area.row } else { area.row.min(area.pitch) };
             self.write_bytes(area.base + y * area.pitch, &line[..count as usize]);
         }
+    }
+
+    /// Fills through the engine; false where that cannot be.
+    fn clear(&mut self, area: &Area, value: u32) -> bool {
+        // A frame often begins with a fill, before anything has chosen its target.
+        let cleared = self.targets.clear(area, value)
+            || (self.aims_at(area) && self.enter() && self.targets.clear(area, value));
+        if cleared && self.texture_area().is_some_and(|texture| texture.overlaps(area)) {
+            self.invalidate();
+        }
+        cleared
     }
 
     /// `V_FIFO_MEM_WRITE_SPRITE`: runs of bytes with gaps between them.

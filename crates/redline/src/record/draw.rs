@@ -38,9 +38,24 @@ fn primitive<S: CommandSink + ?Sized, const N: usize>(
     first[0] = vertex.code() << 16 | opcode as u32;
     first[1..].copy_from_slice(&head);
     for (out, vertex) in out.chunks_exact_mut(size).zip(vertices) {
-        out.copy_from_slice(&vertex[..size]);
+        put_vertex(out, &vertex[..size]);
     }
     Ok(())
+}
+
+/// Copies a vertex: four words first, which is all that many have, so that no
+/// function has to be called for a copy of unknown length.
+#[inline]
+fn put_vertex(out: &mut [u32], vertex: &[u32]) {
+    match (out.split_first_chunk_mut::<4>(), vertex.split_first_chunk::<4>()) {
+        (Some((four, out)), Some((words, rest))) => {
+            *four = *words;
+            if !rest.is_empty() {
+                out.copy_from_slice(rest);
+            }
+        }
+        _ => out.copy_from_slice(vertex),
+    }
 }
 
 /// A first word, a count and `count` vertices that lie together.
