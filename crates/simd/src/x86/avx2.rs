@@ -2,7 +2,7 @@
 
 use core::arch::x86_64::*;
 
-use super::{binary, float_operator, four, operator, shifts};
+use super::{binary, float_operator, four, four_at, operator, shifts};
 use crate::{FloatLanes, IntLanes, Kernel, Level, MaskLanes, Simd, SingleLanes};
 
 /// The token of the AVX2 level.
@@ -203,10 +203,7 @@ impl Simd for Avx2 {
             if _mm256_testz_si256(excess, excess) == 0 {
                 return self.load_pairs(table, I(lanes));
             }
-            let (low, high) = split_words(
-                four(table, [index[0], index[1], index[2], index[3]]),
-                four(table, [index[4], index[5], index[6], index[7]]),
-            );
+            let (low, high) = split_words(four_at(table, index, 0), four_at(table, index, 4));
             (I(low), I(high))
         }
     }
@@ -279,11 +276,9 @@ impl FloatLanes for F {
         fn half(x: __m256d) -> __m128i {
             // SAFETY: lanes exist only where AVX2 was detected.
             unsafe {
-                let limited = _mm256_max_pd(
-                    _mm256_min_pd(_mm256_floor_pd(x), _mm256_set1_pd(i32::MAX as f64)),
-                    _mm256_set1_pd(i32::MIN as f64),
-                );
-                _mm256_cvttpd_epi32(limited)
+                // What does not fit becomes the least integer.
+                let limited = _mm256_min_pd(x, _mm256_set1_pd(i32::MAX as f64));
+                _mm256_cvttpd_epi32(_mm256_floor_pd(limited))
             }
         }
         // SAFETY: lanes exist only where AVX2 was detected.

@@ -3,7 +3,7 @@
 use core::arch::x86_64::*;
 use core::ops::{BitAnd, BitOr};
 
-use super::{binary, float_operator, four, operator, shifts};
+use super::{binary, float_operator, four, four_at, operator, shifts};
 use crate::{FloatLanes, IntLanes, Kernel, Level, MaskLanes, Simd, SingleLanes};
 
 /// The token of the AVX-512 level.
@@ -202,12 +202,12 @@ impl Simd for Avx512 {
                 return self.load_pairs(table, I(lanes));
             }
             let front = _mm512_inserti64x4::<1>(
-                _mm512_castsi256_si512(four(table, [index[0], index[1], index[2], index[3]])),
-                four(table, [index[4], index[5], index[6], index[7]]),
+                _mm512_castsi256_si512(four_at(table, index, 0)),
+                four_at(table, index, 4),
             );
             let back = _mm512_inserti64x4::<1>(
-                _mm512_castsi256_si512(four(table, [index[8], index[9], index[10], index[11]])),
-                four(table, [index[12], index[13], index[14], index[15]]),
+                _mm512_castsi256_si512(four_at(table, index, 8)),
+                four_at(table, index, 12),
             );
             let (low, high) = split_words(front, back);
             (I(low), I(high))
@@ -287,14 +287,9 @@ impl FloatLanes for F {
             const FLOOR: i32 = _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC;
             // SAFETY: lanes exist only where AVX-512 was detected.
             unsafe {
-                let limited = _mm512_max_pd(
-                    _mm512_min_pd(
-                        _mm512_roundscale_pd::<FLOOR>(x),
-                        _mm512_set1_pd(i32::MAX as f64),
-                    ),
-                    _mm512_set1_pd(i32::MIN as f64),
-                );
-                _mm512_cvttpd_epi32(limited)
+                // What does not fit becomes the least integer.
+                let limited = _mm512_min_pd(x, _mm512_set1_pd(i32::MAX as f64));
+                _mm512_cvt_roundpd_epi32::<FLOOR>(limited)
             }
         }
         // SAFETY: lanes exist only where AVX-512 was detected.

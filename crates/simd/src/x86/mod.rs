@@ -44,6 +44,32 @@ unsafe fn four(table: &[u64], at: [i32; 4]) -> __m256i {
     }
 }
 
+/// [`four`] at the indices from `first` on.
+///
+/// They are read from memory one by one, in one step each. That takes volatile
+/// reads: compilers would take them out of a vector that was loaded before, in
+/// two.
+///
+/// # Safety
+///
+/// As of [`four`], of four elements of `at` from `first` on, which there are.
+#[inline(always)]
+unsafe fn four_at(table: &[u64], at: &[i32], first: usize) -> __m256i {
+    // SAFETY: the caller's promise; a reference to integers may be read.
+    unsafe {
+        let at = at.as_ptr().add(first);
+        four(
+            table,
+            [
+                at.read_volatile(),
+                at.add(1).read_volatile(),
+                at.add(2).read_volatile(),
+                at.add(3).read_volatile(),
+            ],
+        )
+    }
+}
+
 /// Implements an operator trait by an intrinsic on the wrapped register.
 macro_rules! operator {
     ($lanes:ident, $trait:ident, $name:ident, $intrinsic:ident) => {

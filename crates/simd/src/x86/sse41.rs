@@ -270,11 +270,9 @@ impl FloatLanes for F {
         fn half(x: __m128d) -> __m128i {
             // SAFETY: lanes exist only where SSE4.1 was detected.
             unsafe {
-                let limited = _mm_max_pd(
-                    _mm_min_pd(_mm_floor_pd(x), _mm_set1_pd(i32::MAX as f64)),
-                    _mm_set1_pd(i32::MIN as f64),
-                );
-                _mm_cvttpd_epi32(limited)
+                // What does not fit becomes the least integer.
+                let limited = _mm_min_pd(x, _mm_set1_pd(i32::MAX as f64));
+                _mm_cvttpd_epi32(_mm_floor_pd(limited))
             }
         }
         // SAFETY: SSE2.

@@ -29,6 +29,7 @@ struct LevelLanes<S: Simd> {
 #[derive(Clone, Debug)]
 pub(crate) struct TextureSteps {
     pub(in crate::kernel) triangle: u32,
+    /// s and t times [`COORDINATE`].
     s: [f64; STAMP],
     t: [f64; STAMP],
     w: [f64; STAMP],
@@ -49,6 +50,15 @@ struct Level {
     limit: f64,
 }
 
+/// Coordinates have 8 fraction bits.
+const COORDINATE: f64 = 256.0;
+
+/// A plane of texture coordinates times [`COORDINATE`].
+fn scaled(plane: &PlaneF) -> PlaneF {
+    let PlaneF { start, dx, dy } = plane;
+    PlaneF { start: start * COORDINATE, dx: dx * COORDINATE, dy: dy * COORDINATE }
+}
+
 impl TextureSteps {
     pub const NONE: TextureSteps = TextureSteps {
         triangle: u32::MAX,
@@ -63,8 +73,8 @@ impl TextureSteps {
 
     #[inline(always)]
     fn set<S: Simd>(&mut self, s: S, [ps, pt, w]: [PlaneF; 3], base: i32) {
-        ramp_wide(s, &ps, &mut self.s);
-        ramp_wide(s, &pt, &mut self.t);
+        ramp_wide(s, &scaled(&ps), &mut self.s);
+        ramp_wide(s, &scaled(&pt), &mut self.t);
         ramp_wide(s, &w, &mut self.w);
         let (right, down) = (w.dx * 3.0, w.dy * 3.0);
         self.rise = right.max(0.0) + down.max(0.0);
@@ -233,36 +243,54 @@ fn stamp<S: Simd, const LODS: bool>(
     // w is linear, so its extremes are at corners.
     let (smallest, largest) = (corner_w + steps.fall, corner_w + steps.rise);
     let level = if LODS { None } else { steps.level(plan, smallest, largest) };
-    let (base_s, base_t) = (s.splat_f(corner_s), s.splat_f(corner_t));
+    let (base_s, base_t) = (s.splat_f(corner_s * COORDINATE), s.splat_f(corner_t * COORDINATE));
     let base_w = s.splat_f(corner_w);
-    let (zero, scale) = (s.splat_f(0.0), s.splat_f(256.0));
     for j in (0..STAMP).step_by(S::LANES) {
         if S::ONE_BY_ONE && !any_live::<S>(live, j) {
             continue;
         }
         let k = slot * STAMP + j;
         let w = base_w + s.load_f(&steps.w[j..]);
-        let mut qs = ((base_s + s.load_f(&steps.s[j..])) * scale / w).floor_i32();
-        let mut qt = ((base_t + s.load_f(&steps.t[j..])) * scale / w).floor_i32();
-        if smallest <= 0.0 {
-            let mut valid = zero.lt(w);
-            if !plan.unit.clamp_negative_w {
-                valid = valid | w.lt(zero);
-            }
-            qs = qs.select(s.splat(0), valid);
-            qt = qt.select(s.splat(0), valid);
-        }
+        let coordinates = [base_s + s.load_f(&steps.s[j..]), base_t + s.load_f(&steps.t[j..])];
+        let quotients = if smallest > 0.0 {
+            quotients(coordinates, w)
+        } else {
+            signed_quotients(s, coordinates, w, plan.unit.clamp_negative_w)
+        };
         let lanes = match level {
             Some(level) => one_level(s, plan, level, bilinear_lanes(s, plan, steps.base, w)),
             None if LODS => levels_by_lod(s, plan, s.load(&lods[j..])),
             None => levels_by_w(s, plan, steps, w),
         };
         if LODS && plan.has_border {
-            store_address::<S, true>(s, out, plan, k, [qs, qt], &lanes);
+            store_address::<S, true>(s, out, plan, k, quotients, &lanes);
         } else {
-            store_address::<S, false>(s, out, plan, k, [qs, qt], &lanes);
+            store_address::<S, false>(s, out, plan, k, quotients, &lanes);
         }
     }
+}
+
+/// [`quotient`] of coordinates times [`COORDINATE`], where w is positive.
+#[inline(always)]
+fn quotients<F: FloatLanes>([a, b]: [F; 2], w: F) -> [F::I; 2] {
+    [(a / w).floor_i32(), (b / w).floor_i32()]
+}
+
+/// The same of any w.
+#[inline(always)]
+fn signed_quotients<S: Simd>(
+    s: S,
+    coordinates: [S::F; 2],
+    w: S::F,
+    clamp_negative_w: bool,
+) -> [S::I; 2] {
+    let (zero, none) = (s.splat_f(0.0), s.splat(0));
+    let mut valid = zero.lt(w);
+    if !clamp_negative_w {
+        valid = valid | w.lt(zero);
+    }
+    let [a, b] = quotients(coordinates, w);
+    [a.select(none, valid), b.select(none, valid)]
 }
 
 /// Address lanes of one level.
