@@ -190,7 +190,8 @@ fn finished<S: Simd, const BLEND: bool, const DITHER: bool>(
     let pipeline = pass.pipeline;
     let format = PixelFormat::Rgb565;
     if BLEND && let Some(config) = &pipeline.state.blend {
-        color = blended(s, pass, config, format, [color, color], s.load16(pixels), aux, j);
+        let (element, colors) = (s.load16(pixels), [color, color]);
+        color = blended::<S, false>(s, pass, config, format, colors, element, aux, j);
     }
     let dither = if DITHER { Some(s.load(&pipeline.dither[j..])) } else { None };
     pack(s, format, color, dither)

@@ -177,14 +177,30 @@ fn weighted_sum<S: Simd>(a: S::I, fa: S::I, b: S::I, fb: S::I) -> S::I {
     a.mul16(fa).add_sat_u16(b.mul16(fb)).shr16(8)
 }
 
-/// The blended colour. The sum of two products saturates at 65535, which the
-/// shift turns into the limit of 255.
+/// The factors of the source and of the destination.
 #[inline(always)]
-fn blend<S: Simd>(s: S, blend: &Blend, o: &Operands<S>) -> [S::I; 2] {
-    let fs = factor(s, blend.source, o, &o.destination);
-    let fd = factor(s, blend.destination, o, &o.source);
-    let fs_ga = join(s, fs[1], s.splat(i32::from(blend.source_alpha) << 24));
-    let fd_ga = join(s, fd[1], s.splat(i32::from(blend.destination_alpha) << 24));
+fn factors<S: Simd>(s: S, blend: &Blend, o: &Operands<S>) -> [[S::I; 2]; 2] {
+    let over = blend.source == BlendFactor::SourceAlpha
+        && blend.destination == BlendFactor::OneMinusSourceAlpha;
+    if over {
+        // The commonest, without a choice for each vector.
+        let alpha = spread_alpha(s, o.source[1]);
+        let rest = s.splat(0x0100_0100).sub16(alpha);
+        return [[alpha.add16(s.splat(0x0001_0001)); 2], [rest; 2]];
+    }
+    [factor(s, blend.source, o, &o.destination), factor(s, blend.destination, o, &o.source)]
+}
+
+/// The blended colour; its alpha means nothing without `ALPHA`. The sum of two
+/// products saturates at 65535, which the shift turns into the limit of 255.
+#[inline(always)]
+fn blend<S: Simd, const ALPHA: bool>(s: S, blend: &Blend, o: &Operands<S>) -> [S::I; 2] {
+    let [fs, fd] = factors(s, blend, o);
+    let (mut fs_ga, mut fd_ga) = (fs[1], fd[1]);
+    if ALPHA {
+        fs_ga = join(s, fs_ga, s.splat(i32::from(blend.source_alpha) << 24));
+        fd_ga = join(s, fd_ga, s.splat(i32::from(blend.destination_alpha) << 24));
+    }
     [
         weighted_sum::<S>(o.source[0], fs[0], o.destination[0], fd[0]),
         weighted_sum::<S>(o.source[1], fs_ga, o.destination[1], fd_ga),
@@ -218,9 +234,10 @@ fn destination<S: Simd>(
     [rb, ga]
 }
 
-/// Blends a colour with an element of the colour plane.
+/// Blends a colour with an element of the colour plane. Without `ALPHA` nothing
+/// reads the alpha of the result.
 #[inline(always)]
-pub(super) fn blended<S: Simd>(
+pub(super) fn blended<S: Simd, const ALPHA: bool>(
     s: S,
     pass: &Pass<'_>,
     config: &Blend,
@@ -231,7 +248,7 @@ pub(super) fn blended<S: Simd>(
     j: usize,
 ) -> [S::I; 2] {
     let destination = destination(s, pass, config, format, element, aux, j);
-    blend(s, config, &Operands { source, destination, prefog })
+    blend::<S, ALPHA>(s, config, &Operands { source, destination, prefog })
 }
 
 /// Blends the fragments into `block.color`.
@@ -255,7 +272,8 @@ pub(crate) fn blend_stage<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, til
                 ColorTile::Bits32(pixels, format) => (s.load(&pixels[at + j..]), *format),
             };
             let aux = tile.aux.get(at + j..).unwrap_or(&[]);
-            let [rb, ga] = blended(s, pass, config, format, [source, prefog], element, aux, j);
+            let colors = [source, prefog];
+            let [rb, ga] = blended::<S, true>(s, pass, config, format, colors, element, aux, j);
             s.store(rb, &mut block.color.rb.0[k..]);
             s.store(ga, &mut block.color.ga.0[k..]);
         }
@@ -287,7 +305,7 @@ pub(crate) fn blend_fully<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, til
                 destination(s, pass, config, format, element, aux, j)
             };
             let operands = Operands { source, destination, prefog };
-            let [rb, g] = blend(s, config, &operands);
+            let [rb, g] = blend::<S, true>(s, config, &operands);
             let alpha = blended_alpha(s, config, &operands, g);
             s.store(rb, &mut block.color.rb.0[k..]);
             s.store(join(s, g, alpha), &mut block.color.ga.0[k..]);
