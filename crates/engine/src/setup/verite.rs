@@ -1,5 +1,8 @@
 //! Triangle set-up in double precision, as the Vérité's is modelled: gradients
 //! come from the coordinates in sixteenths that coverage comes from.
+//!
+//! Source: RR, primitives and pixel pipeline. It gives no formats below those of
+//! its words: those here are ours, see `docs/sources.md`.
 
 use super::extra::{Extra, SPECULAR};
 use super::launch::{GROUP, Launch, NARROW, Params, Z};
