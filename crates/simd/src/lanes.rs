@@ -28,7 +28,7 @@ pub trait Simd: Copy + Send + Sync + 'static {
     /// 64-bit floats, as many as there are 32-bit lanes.
     type F: FloatLanes<I = Self::I, M = Self::M>;
     /// 32-bit floats, one for each 32-bit integer.
-    type G: SingleLanes<I = Self::I, M = Self::M>;
+    type G: SingleLanes<I = Self::I, F = Self::F, M = Self::M>;
     /// One yes or no for each lane.
     type M: MaskLanes;
 
@@ -61,6 +61,11 @@ pub trait Simd: Copy + Send + Sync + 'static {
     fn load_g(self, from: &[f32]) -> Self::G;
     /// Stores into the first `LANES` floats of `to`; it must hold that many.
     fn store_g(self, lanes: Self::G, to: &mut [f32]);
+    /// Writes the lanes of four vectors side by side: `to[lane]` gets that lane of
+    /// each. There must be `LANES` places.
+    fn transpose(self, columns: [Self::I; 4], to: &mut [[i32; 4]]);
+    /// The same of floats.
+    fn transpose_f(self, columns: [Self::F; 4], to: &mut [[f64; 4]]);
     /// Lane `i` is on when bit `i` of `bits` is set. Higher bits are ignored.
     fn mask(self, bits: u32) -> Self::M;
     /// Entry `index & 15` of `table`, lane by lane.
@@ -168,6 +173,14 @@ pub trait FloatLanes:
 
     /// Lanes where `self < other`; false where either is not a number.
     fn lt(self, other: Self) -> Self::M;
+    /// Integers as floats.
+    fn from_i32(lanes: Self::I) -> Self;
+    /// Without their signs.
+    fn abs(self) -> Self;
+    /// Rounded towards zero, to a float.
+    fn trunc(self) -> Self;
+    /// Rounded down, to a float.
+    fn floor(self) -> Self;
     /// Floor, limited to the range of `i32`. Not-a-number gives no fixed
     /// value: mask it away.
     fn floor_i32(self) -> Self::I;
@@ -183,9 +196,13 @@ pub trait SingleLanes:
 {
     /// The integer lanes of the same level.
     type I: IntLanes<M = Self::M>;
+    /// Its lanes of 64-bit floats.
+    type F: FloatLanes<I = Self::I, M = Self::M>;
     /// The mask that comparisons return.
     type M: MaskLanes;
 
+    /// The same values in 64 bits.
+    fn widen(self) -> Self::F;
     /// The bit patterns.
     fn to_bits(self) -> Self::I;
     /// The floats of these bit patterns.
@@ -195,6 +212,9 @@ pub trait SingleLanes:
     /// Rounded towards zero, limited to the range of `i32`; 0 where the lane
     /// is not a number.
     fn to_i32(self) -> Self::I;
+    /// The same in one step. Values out of range, and what is not a number, give
+    /// no fixed value: mask them away.
+    fn truncate_i32(self) -> Self::I;
     /// Lanes where `self < other`; false where either is not a number.
     fn lt(self, other: Self) -> Self::M;
     /// Lanes of `self` where `mask` is on, of `other` elsewhere.

@@ -141,6 +141,21 @@ impl Simd for Neon {
         unsafe { vst1q_f32(to.as_mut_ptr(), lanes.0) }
     }
     #[inline(always)]
+    fn transpose(self, [I(a), I(b), I(c), I(d)]: [I; 4], to: &mut [[i32; 4]]) {
+        let to = &mut to[..4];
+        // SAFETY: the slice holds four times 16 bytes.
+        unsafe { vst4q_s32(to.as_mut_ptr().cast(), int32x4x4_t(a, b, c, d)) }
+    }
+    #[inline(always)]
+    fn transpose_f(self, [a, b, c, d]: [F; 4], to: &mut [[f64; 4]]) {
+        let to = &mut to[..4];
+        // SAFETY: the slice holds four times 32 bytes.
+        unsafe {
+            vst4q_f64(to.as_mut_ptr().cast(), float64x2x4_t(a.0, b.0, c.0, d.0));
+            vst4q_f64(to[2..].as_mut_ptr().cast(), float64x2x4_t(a.1, b.1, c.1, d.1));
+        }
+    }
+    #[inline(always)]
     fn mask(self, bits: u32) -> M {
         // SAFETY: `LANE_BITS` holds 16 bytes.
         M(unsafe { vtstq_u32(vdupq_n_u32(bits), vld1q_u32(LANE_BITS.as_ptr())) })
@@ -312,6 +327,29 @@ impl FloatLanes for F {
         M(split_words(low, high).0)
     }
     #[inline(always)]
+    fn from_i32(lanes: I) -> F {
+        // SAFETY: NEON.
+        unsafe {
+            let (low, high) = (vmovl_s32(vget_low_s32(lanes.0)), vmovl_high_s32(lanes.0));
+            F(vcvtq_f64_s64(low), vcvtq_f64_s64(high))
+        }
+    }
+    #[inline(always)]
+    fn abs(self) -> F {
+        // SAFETY: NEON.
+        unsafe { F(vabsq_f64(self.0), vabsq_f64(self.1)) }
+    }
+    #[inline(always)]
+    fn trunc(self) -> F {
+        // SAFETY: NEON.
+        unsafe { F(vrndq_f64(self.0), vrndq_f64(self.1)) }
+    }
+    #[inline(always)]
+    fn floor(self) -> F {
+        // SAFETY: NEON.
+        unsafe { F(vrndmq_f64(self.0), vrndmq_f64(self.1)) }
+    }
+    #[inline(always)]
     fn floor_i32(self) -> I {
         // SAFETY: NEON. Both conversions limit to their range.
         unsafe {
@@ -332,8 +370,18 @@ impl FloatLanes for F {
 
 impl SingleLanes for G {
     type I = I;
+    type F = F;
     type M = M;
 
+    #[inline(always)]
+    fn widen(self) -> F {
+        // SAFETY: NEON.
+        unsafe { F(vcvt_f64_f32(vget_low_f32(self.0)), vcvt_high_f64_f32(self.0)) }
+    }
+    #[inline(always)]
+    fn truncate_i32(self) -> I {
+        self.to_i32()
+    }
     #[inline(always)]
     fn to_bits(self) -> I {
         // SAFETY: NEON.

@@ -45,6 +45,21 @@ fn halves(a: I4, b: I4, f: impl Fn(i16, i16) -> i16) -> I4 {
     })
 }
 
+/// `f64::trunc`, which is a library call on many targets.
+#[inline(always)]
+fn trunc(x: f64) -> f64 {
+    // Added to a smaller one it leaves no fraction.
+    const WHOLE: f64 = (1_u64 << 52) as f64;
+    let magnitude = x.abs();
+    if magnitude < WHOLE {
+        let nearest = (magnitude + WHOLE) - WHOLE;
+        let below = if nearest > magnitude { nearest - 1.0 } else { nearest };
+        below.copysign(x)
+    } else {
+        x
+    }
+}
+
 impl Simd for Scalar {
     const LANES: usize = N;
     const ONE_BY_ONE: bool = true;
@@ -119,6 +134,18 @@ impl Simd for Scalar {
     #[inline(always)]
     fn store_g(self, lanes: G4, to: &mut [f32]) {
         to[..N].copy_from_slice(&lanes.0);
+    }
+    #[inline(always)]
+    fn transpose(self, [a, b, c, d]: [I4; 4], to: &mut [[i32; 4]]) {
+        for (i, to) in to[..N].iter_mut().enumerate() {
+            *to = [a.0[i], b.0[i], c.0[i], d.0[i]];
+        }
+    }
+    #[inline(always)]
+    fn transpose_f(self, [a, b, c, d]: [F4; 4], to: &mut [[f64; 4]]) {
+        for (i, to) in to[..N].iter_mut().enumerate() {
+            *to = [a.0[i], b.0[i], c.0[i], d.0[i]];
+        }
     }
     #[inline(always)]
     fn mask(self, bits: u32) -> M4 {
@@ -243,6 +270,25 @@ impl FloatLanes for F4 {
         switches(|i| self.0[i] < other.0[i])
     }
     #[inline(always)]
+    fn from_i32(lanes: I4) -> F4 {
+        F4(lanes.0.map(f64::from))
+    }
+    #[inline(always)]
+    fn abs(self) -> F4 {
+        F4(self.0.map(f64::abs))
+    }
+    #[inline(always)]
+    fn trunc(self) -> F4 {
+        F4(self.0.map(trunc))
+    }
+    #[inline(always)]
+    fn floor(self) -> F4 {
+        F4(self.0.map(|x| {
+            let whole = trunc(x);
+            if whole > x { whole - 1.0 } else { whole }
+        }))
+    }
+    #[inline(always)]
     fn floor_i32(self) -> I4 {
         // The conversion truncates and limits, which is one too high for a
         // negative fraction. `f64::floor` is a library call on many targets.
@@ -259,8 +305,17 @@ impl FloatLanes for F4 {
 
 impl SingleLanes for G4 {
     type I = I4;
+    type F = F4;
     type M = M4;
 
+    #[inline(always)]
+    fn widen(self) -> F4 {
+        F4(self.0.map(f64::from))
+    }
+    #[inline(always)]
+    fn truncate_i32(self) -> I4 {
+        I4(crate::truncate(self.0))
+    }
     #[inline(always)]
     fn to_bits(self) -> I4 {
         lanes(|i| self.0[i].to_bits() as i32)

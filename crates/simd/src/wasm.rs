@@ -141,6 +141,37 @@ impl Simd for Simd128 {
         unsafe { v128_store(to.as_mut_ptr().cast(), lanes.0) }
     }
     #[inline(always)]
+    fn transpose(self, [I(a), I(b), I(c), I(d)]: [I; 4], to: &mut [[i32; 4]]) {
+        let to = &mut to[..4];
+        let ab = [i32x4_shuffle::<0, 4, 1, 5>(a, b), i32x4_shuffle::<2, 6, 3, 7>(a, b)];
+        let cd = [i32x4_shuffle::<0, 4, 1, 5>(c, d), i32x4_shuffle::<2, 6, 3, 7>(c, d)];
+        for i in 0..2 {
+            let even = i64x2_shuffle::<0, 2>(ab[i], cd[i]);
+            let odd = i64x2_shuffle::<1, 3>(ab[i], cd[i]);
+            // SAFETY: both places hold 16 bytes; the stores take any alignment.
+            unsafe {
+                v128_store(to[2 * i].as_mut_ptr().cast(), even);
+                v128_store(to[2 * i + 1].as_mut_ptr().cast(), odd);
+            }
+        }
+    }
+    #[inline(always)]
+    fn transpose_f(self, [a, b, c, d]: [F; 4], to: &mut [[f64; 4]]) {
+        let to = &mut to[..4];
+        for (half, [a, b, c, d]) in
+            [[a.0, b.0, c.0, d.0], [a.1, b.1, c.1, d.1]].into_iter().enumerate()
+        {
+            let (even, odd) = (to[2 * half].as_mut_ptr(), to[2 * half + 1].as_mut_ptr());
+            // SAFETY: both places hold 32 bytes; the stores take any alignment.
+            unsafe {
+                v128_store(even.cast(), i64x2_shuffle::<0, 2>(a, b));
+                v128_store(even.add(2).cast(), i64x2_shuffle::<0, 2>(c, d));
+                v128_store(odd.cast(), i64x2_shuffle::<1, 3>(a, b));
+                v128_store(odd.add(2).cast(), i64x2_shuffle::<1, 3>(c, d));
+            }
+        }
+    }
+    #[inline(always)]
     fn mask(self, bits: u32) -> M {
         let each = i32x4(1, 2, 4, 8);
         M(i32x4_eq(v128_and(i32x4_splat(bits as i32), each), each))
@@ -269,6 +300,23 @@ impl FloatLanes for F {
         M(even_words(f64x2_lt(self.0, other.0), f64x2_lt(self.1, other.1)))
     }
     #[inline(always)]
+    fn from_i32(lanes: I) -> F {
+        let high = i64x2_shuffle::<1, 1>(lanes.0, lanes.0);
+        F(f64x2_convert_low_i32x4(lanes.0), f64x2_convert_low_i32x4(high))
+    }
+    #[inline(always)]
+    fn abs(self) -> F {
+        F(f64x2_abs(self.0), f64x2_abs(self.1))
+    }
+    #[inline(always)]
+    fn trunc(self) -> F {
+        F(f64x2_trunc(self.0), f64x2_trunc(self.1))
+    }
+    #[inline(always)]
+    fn floor(self) -> F {
+        F(f64x2_floor(self.0), f64x2_floor(self.1))
+    }
+    #[inline(always)]
     fn floor_i32(self) -> I {
         let low = i32x4_trunc_sat_f64x2_zero(f64x2_floor(self.0));
         let high = i32x4_trunc_sat_f64x2_zero(f64x2_floor(self.1));
@@ -282,8 +330,18 @@ impl FloatLanes for F {
 
 impl SingleLanes for G {
     type I = I;
+    type F = F;
     type M = M;
 
+    #[inline(always)]
+    fn widen(self) -> F {
+        let high = i64x2_shuffle::<1, 1>(self.0, self.0);
+        F(f64x2_promote_low_f32x4(self.0), f64x2_promote_low_f32x4(high))
+    }
+    #[inline(always)]
+    fn truncate_i32(self) -> I {
+        self.to_i32()
+    }
     #[inline(always)]
     fn to_bits(self) -> I {
         I(self.0)

@@ -227,3 +227,67 @@ fn high_word_of_every_kind_of_float() {
     let words = values.iter().map(|x| x.to_bits() >> 32);
     assert!(found.into_iter().eq(words.chain(values.iter().map(|x| x.to_bits()))));
 }
+
+/// Defines one test for each way to round, and for leaving out the sign.
+macro_rules! rounding_tests {
+    ($($test:ident $method:ident)*) => {$(
+        #[test]
+        fn $test() {
+            #[derive(Clone, Copy)]
+            struct Run<'a>(&'a [f64]);
+            impl Kernel for Run<'_> {
+                type Output = Vec<u64>;
+                #[inline(always)]
+                fn run<S: Simd>(self, simd: S) -> Vec<u64> {
+                    let (mut out, mut lanes) = (Vec::new(), [0.0; MAX_LANES]);
+                    for at in (0..self.0.len()).step_by(S::LANES) {
+                        simd.store_f(simd.load_f(&self.0[at..]).$method(), &mut lanes);
+                        out.extend(lanes[..S::LANES].iter().copied().map(bits));
+                    }
+                    out
+                }
+            }
+            let mut random = Random(25);
+            let mut values = with_nan();
+            // Around powers of two, also where floats have no fractions any more.
+            for exponent in 0..64 {
+                let power = (1_u64 << exponent) as f64;
+                for x in [power, power + 0.5, power - 0.5] {
+                    let near = [x, x.next_up(), x.next_down()];
+                    values.extend(near.iter().chain(&near.map(|x| -x)));
+                }
+            }
+            values.extend((0..RANDOM_LANES).map(|_| float(&mut random)));
+            let values = padded(values);
+            let found = compare(stringify!($method), Run(&values));
+            assert!(found.into_iter().eq(values.iter().map(|x| bits(x.$method()))));
+        }
+    )*};
+}
+rounding_tests! {
+    trunc_keeps_the_sign trunc
+    floor_of_every_kind_of_float floor
+    abs_of_every_kind_of_float abs
+}
+
+#[test]
+fn from_i32_is_exact() {
+    #[derive(Clone, Copy)]
+    struct Run<'a>(&'a [i32]);
+    impl Kernel for Run<'_> {
+        type Output = Vec<f64>;
+        #[inline(always)]
+        fn run<S: Simd>(self, simd: S) -> Vec<f64> {
+            let mut out = vec![0.0; self.0.len()];
+            for at in (0..self.0.len()).step_by(S::LANES) {
+                simd.store_f(S::F::from_i32(simd.load(&self.0[at..])), &mut out[at..]);
+            }
+            out
+        }
+    }
+    let mut values = super::EDGES.to_vec();
+    values.extend(Random(26).ints(RANDOM_LANES));
+    let values = padded(values);
+    let found = compare("from_i32", Run(&values));
+    assert!(found.into_iter().eq(values.into_iter().map(f64::from)));
+}

@@ -1,7 +1,7 @@
 //! Loads, stores, masks and tables.
 
 use super::{EDGES, RANDOM_LANES, Random, compare, padded, push, push_mask};
-use crate::{IntLanes, Kernel, Level, MAX_LANES, MaskLanes, Simd};
+use crate::{FloatLanes, IntLanes, Kernel, Level, MAX_LANES, MaskLanes, Simd};
 
 /// Loads from `offset` on, inverts, and stores at the same place.
 #[derive(Clone, Copy)]
@@ -364,4 +364,36 @@ short_slice! {
     short_store16_all |simd, n| simd.store16_all(simd.splat(0), &mut vec![0; n]);
     short_store_masked |simd, n| simd.store_masked(simd.splat(0), &mut vec![0; n], simd.mask(0));
     short_store_f |simd, n| simd.store_f(simd.splat_f(0.0), &mut vec![0.0; n]);
+}
+
+/// Columns of integers, and the same as floats, side by side.
+#[derive(Clone, Copy)]
+struct Transposed<'a>([&'a [i32]; 4]);
+
+impl Kernel for Transposed<'_> {
+    type Output = Vec<([i32; 4], [f64; 4])>;
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> Vec<([i32; 4], [f64; 4])> {
+        let [a, b, c, d] = self.0;
+        let (mut out, mut floats) = (vec![[0; 4]; a.len()], vec![[0.0; 4]; a.len()]);
+        for at in (0..a.len()).step_by(S::LANES) {
+            let (a, b) = (simd.load(&a[at..]), simd.load(&b[at..]));
+            let (c, d) = (simd.load(&c[at..]), simd.load(&d[at..]));
+            simd.transpose([a, b, c, d], &mut out[at..]);
+            let (a, b) = (S::F::from_i32(a), S::F::from_i32(b));
+            let (c, d) = (S::F::from_i32(c), S::F::from_i32(d));
+            simd.transpose_f([a, b, c, d], &mut floats[at..]);
+        }
+        out.into_iter().zip(floats).collect()
+    }
+}
+
+#[test]
+fn transposed_columns() {
+    let columns: [Vec<i32>; 4] = std::array::from_fn(|i| Random(16 + i as u64).ints(1 << 12));
+    let found = compare("transpose", Transposed(columns.each_ref().map(Vec::as_slice)));
+    for (at, (ints, floats)) in found.into_iter().enumerate() {
+        let row = columns.each_ref().map(|column| column[at]);
+        assert_eq!((ints, floats), (row, row.map(f64::from)));
+    }
 }

@@ -193,3 +193,54 @@ fn from_i32_rounds_to_nearest() {
     let found = compare("from_i32", Floats(&values));
     assert!(found.into_iter().eq(values.iter().map(|&i| (i as f32).to_bits() as i32)));
 }
+
+#[test]
+fn widen_keeps_the_value() {
+    #[derive(Clone, Copy)]
+    struct Run<'a>(&'a [f32]);
+    impl Kernel for Run<'_> {
+        type Output = Vec<u64>;
+        #[inline(always)]
+        fn run<S: Simd>(self, simd: S) -> Vec<u64> {
+            let mut out = vec![0.0; self.0.len()];
+            for at in (0..self.0.len()).step_by(S::LANES) {
+                simd.store_f(simd.load_g(&self.0[at..]).widen(), &mut out[at..]);
+            }
+            out.into_iter().map(wide_bits).collect()
+        }
+    }
+    let mut random = Random(35);
+    let mut values = EDGES.to_vec();
+    values.extend((0..RANDOM_LANES).map(|_| float(&mut random)));
+    let values = padded(values);
+    let found = compare("widen", Run(&values));
+    assert!(found.into_iter().eq(values.into_iter().map(|x| wide_bits(f64::from(x)))));
+}
+
+fn wide_bits(x: f64) -> u64 {
+    if x.is_nan() { u64::MAX } else { x.to_bits() }
+}
+
+#[test]
+fn truncate_i32_within_its_range() {
+    #[derive(Clone, Copy)]
+    struct Run<'a>(&'a [f32]);
+    impl Kernel for Run<'_> {
+        type Output = Vec<i32>;
+        #[inline(always)]
+        fn run<S: Simd>(self, simd: S) -> Vec<i32> {
+            let mut out = Vec::new();
+            for at in (0..self.0.len()).step_by(S::LANES) {
+                push(simd, simd.load_g(&self.0[at..]).truncate_i32(), &mut out);
+            }
+            out
+        }
+    }
+    let mut random = Random(36);
+    let mut values = EDGES.to_vec();
+    values.extend((0..RANDOM_LANES).map(|_| float(&mut random)));
+    values.retain(|x| x.abs() < 2_147_483_648.0);
+    let values = padded(values);
+    let found = compare("truncate_i32", Run(&values));
+    assert!(found.into_iter().eq(values.into_iter().map(|x| x as i32)));
+}

@@ -42,6 +42,23 @@ fn split_words(a: __m256i, b: __m256i) -> (__m256i, __m256i) {
     }
 }
 
+/// Writes four lanes of four vectors side by side.
+#[inline(always)]
+fn transpose_four([a, b, c, d]: [__m256d; 4], to: &mut [[f64; 4]]) {
+    let to = &mut to[..4];
+    // SAFETY: only called on lanes, which exist only where AVX2 was detected; the
+    // slice holds four times 32 bytes.
+    unsafe {
+        let ab = [_mm256_unpacklo_pd(a, b), _mm256_unpackhi_pd(a, b)];
+        let cd = [_mm256_unpacklo_pd(c, d), _mm256_unpackhi_pd(c, d)];
+        for i in 0..2 {
+            let (even, odd) = (to[i].as_mut_ptr(), to[2 + i].as_mut_ptr());
+            _mm256_storeu_pd(even, _mm256_permute2f128_pd::<0x20>(ab[i], cd[i]));
+            _mm256_storeu_pd(odd, _mm256_permute2f128_pd::<0x31>(ab[i], cd[i]));
+        }
+    }
+}
+
 impl Simd for Avx2 {
     const LANES: usize = 8;
     const LEVEL: Level = Level::Avx2;
@@ -152,6 +169,33 @@ impl Simd for Avx2 {
         let to = &mut to[..8];
         // SAFETY: the slice holds 32 bytes; the store takes any alignment.
         unsafe { _mm256_storeu_ps(to.as_mut_ptr(), lanes.0) }
+    }
+    #[inline(always)]
+    fn transpose(self, [I(a), I(b), I(c), I(d)]: [I; 4], to: &mut [[i32; 4]]) {
+        let to = &mut to[..8];
+        // SAFETY: the slice holds eight times 16 bytes; the token proves AVX2.
+        unsafe {
+            let (ab_low, ab_high) = (_mm256_unpacklo_epi32(a, b), _mm256_unpackhi_epi32(a, b));
+            let (cd_low, cd_high) = (_mm256_unpacklo_epi32(c, d), _mm256_unpackhi_epi32(c, d));
+            // Half `h` of row `r` is lane 4h + r.
+            let rows = [
+                _mm256_unpacklo_epi64(ab_low, cd_low),
+                _mm256_unpackhi_epi64(ab_low, cd_low),
+                _mm256_unpacklo_epi64(ab_high, cd_high),
+                _mm256_unpackhi_epi64(ab_high, cd_high),
+            ];
+            for (i, row) in rows.into_iter().enumerate() {
+                let halves = [_mm256_castsi256_si128(row), _mm256_extracti128_si256::<1>(row)];
+                _mm_storeu_si128(to[i].as_mut_ptr().cast(), halves[0]);
+                _mm_storeu_si128(to[4 + i].as_mut_ptr().cast(), halves[1]);
+            }
+        }
+    }
+    #[inline(always)]
+    fn transpose_f(self, [a, b, c, d]: [F; 4], to: &mut [[f64; 4]]) {
+        let (front, back) = to[..8].split_at_mut(4);
+        transpose_four([a.0, b.0, c.0, d.0], front);
+        transpose_four([a.1, b.1, c.1, d.1], back);
     }
     #[inline(always)]
     fn mask(self, bits: u32) -> M {
@@ -271,6 +315,35 @@ impl FloatLanes for F {
         }
     }
     #[inline(always)]
+    fn from_i32(lanes: I) -> F {
+        // SAFETY: lanes exist only where AVX2 was detected.
+        unsafe {
+            F(
+                _mm256_cvtepi32_pd(_mm256_castsi256_si128(lanes.0)),
+                _mm256_cvtepi32_pd(_mm256_extracti128_si256::<1>(lanes.0)),
+            )
+        }
+    }
+    #[inline(always)]
+    fn abs(self) -> F {
+        // SAFETY: lanes exist only where AVX2 was detected.
+        unsafe {
+            let sign = _mm256_set1_pd(-0.0);
+            F(_mm256_andnot_pd(sign, self.0), _mm256_andnot_pd(sign, self.1))
+        }
+    }
+    #[inline(always)]
+    fn trunc(self) -> F {
+        const TO_ZERO: i32 = _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC;
+        // SAFETY: lanes exist only where AVX2 was detected.
+        unsafe { F(_mm256_round_pd::<TO_ZERO>(self.0), _mm256_round_pd::<TO_ZERO>(self.1)) }
+    }
+    #[inline(always)]
+    fn floor(self) -> F {
+        // SAFETY: lanes exist only where AVX2 was detected.
+        unsafe { F(_mm256_floor_pd(self.0), _mm256_floor_pd(self.1)) }
+    }
+    #[inline(always)]
     fn floor_i32(self) -> I {
         #[inline(always)]
         fn half(x: __m256d) -> __m128i {
@@ -294,8 +367,24 @@ impl FloatLanes for F {
 
 impl SingleLanes for G {
     type I = I;
+    type F = F;
     type M = M;
 
+    #[inline(always)]
+    fn widen(self) -> F {
+        // SAFETY: lanes exist only where AVX2 was detected.
+        unsafe {
+            F(
+                _mm256_cvtps_pd(_mm256_castps256_ps128(self.0)),
+                _mm256_cvtps_pd(_mm256_extractf128_ps::<1>(self.0)),
+            )
+        }
+    }
+    #[inline(always)]
+    fn truncate_i32(self) -> I {
+        // SAFETY: lanes exist only where AVX2 was detected.
+        I(unsafe { _mm256_cvttps_epi32(self.0) })
+    }
     #[inline(always)]
     fn to_bits(self) -> I {
         // SAFETY: lanes exist only where AVX2 was detected.

@@ -47,6 +47,29 @@ fn split_words(a: __m512i, b: __m512i) -> (__m512i, __m512i) {
     }
 }
 
+/// Writes eight lanes of four vectors side by side.
+#[inline(always)]
+fn transpose_eight([a, b, c, d]: [__m512d; 4], to: &mut [[f64; 4]]) {
+    let to = &mut to[..8];
+    // SAFETY: only called on lanes, which exist only where AVX-512 was detected;
+    // the slice holds eight times 32 bytes.
+    unsafe {
+        let ab = [_mm512_unpacklo_pd(a, b), _mm512_unpackhi_pd(a, b)];
+        let cd = [_mm512_unpacklo_pd(c, d), _mm512_unpackhi_pd(c, d)];
+        for i in 0..2 {
+            // Quarter `q` of a pair is lane 2q + i.
+            let even = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
+            let odd = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+            let even = _mm512_permutex2var_pd(ab[i], even, cd[i]);
+            let odd = _mm512_permutex2var_pd(ab[i], odd, cd[i]);
+            _mm256_storeu_pd(to[i].as_mut_ptr(), _mm512_castpd512_pd256(even));
+            _mm256_storeu_pd(to[2 + i].as_mut_ptr(), _mm512_castpd512_pd256(odd));
+            _mm256_storeu_pd(to[4 + i].as_mut_ptr(), _mm512_extractf64x4_pd::<1>(even));
+            _mm256_storeu_pd(to[6 + i].as_mut_ptr(), _mm512_extractf64x4_pd::<1>(odd));
+        }
+    }
+}
+
 impl Simd for Avx512 {
     const LANES: usize = 16;
     const LEVEL: Level = Level::Avx512;
@@ -146,6 +169,39 @@ impl Simd for Avx512 {
         let to = &mut to[..16];
         // SAFETY: the slice holds 64 bytes; the store takes any alignment.
         unsafe { _mm512_storeu_ps(to.as_mut_ptr(), lanes.0) }
+    }
+    #[inline(always)]
+    fn transpose(self, [I(a), I(b), I(c), I(d)]: [I; 4], to: &mut [[i32; 4]]) {
+        let to = &mut to[..16];
+        // SAFETY: the slice holds sixteen times 16 bytes; the token proves AVX-512.
+        unsafe {
+            let (ab_low, ab_high) = (_mm512_unpacklo_epi32(a, b), _mm512_unpackhi_epi32(a, b));
+            let (cd_low, cd_high) = (_mm512_unpacklo_epi32(c, d), _mm512_unpackhi_epi32(c, d));
+            // Quarter `q` of row `r` is lane 4q + r.
+            let rows = [
+                _mm512_unpacklo_epi64(ab_low, cd_low),
+                _mm512_unpackhi_epi64(ab_low, cd_low),
+                _mm512_unpacklo_epi64(ab_high, cd_high),
+                _mm512_unpackhi_epi64(ab_high, cd_high),
+            ];
+            for (i, row) in rows.into_iter().enumerate() {
+                let quarters = [
+                    _mm512_castsi512_si128(row),
+                    _mm512_extracti32x4_epi32::<1>(row),
+                    _mm512_extracti32x4_epi32::<2>(row),
+                    _mm512_extracti32x4_epi32::<3>(row),
+                ];
+                for (q, quarter) in quarters.into_iter().enumerate() {
+                    _mm_storeu_si128(to[4 * q + i].as_mut_ptr().cast(), quarter);
+                }
+            }
+        }
+    }
+    #[inline(always)]
+    fn transpose_f(self, [a, b, c, d]: [F; 4], to: &mut [[f64; 4]]) {
+        let (front, back) = to[..16].split_at_mut(8);
+        transpose_eight([a.0, b.0, c.0, d.0], front);
+        transpose_eight([a.1, b.1, c.1, d.1], back);
     }
     #[inline(always)]
     fn mask(self, bits: u32) -> M {
@@ -281,6 +337,39 @@ impl FloatLanes for F {
         }
     }
     #[inline(always)]
+    fn from_i32(lanes: I) -> F {
+        // SAFETY: lanes exist only where AVX-512 was detected.
+        unsafe {
+            F(
+                _mm512_cvtepi32_pd(_mm512_castsi512_si256(lanes.0)),
+                _mm512_cvtepi32_pd(_mm512_extracti64x4_epi64::<1>(lanes.0)),
+            )
+        }
+    }
+    #[inline(always)]
+    fn abs(self) -> F {
+        // SAFETY: lanes exist only where AVX-512 was detected.
+        unsafe { F(_mm512_abs_pd(self.0), _mm512_abs_pd(self.1)) }
+    }
+    #[inline(always)]
+    fn trunc(self) -> F {
+        const TO_ZERO: i32 = _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC;
+        // SAFETY: lanes exist only where AVX-512 was detected.
+        unsafe {
+            let low = _mm512_roundscale_pd::<TO_ZERO>(self.0);
+            F(low, _mm512_roundscale_pd::<TO_ZERO>(self.1))
+        }
+    }
+    #[inline(always)]
+    fn floor(self) -> F {
+        const DOWN: i32 = _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC;
+        // SAFETY: lanes exist only where AVX-512 was detected.
+        unsafe {
+            let low = _mm512_roundscale_pd::<DOWN>(self.0);
+            F(low, _mm512_roundscale_pd::<DOWN>(self.1))
+        }
+    }
+    #[inline(always)]
     fn floor_i32(self) -> I {
         #[inline(always)]
         fn half(x: __m512d) -> __m256i {
@@ -305,8 +394,24 @@ impl FloatLanes for F {
 
 impl SingleLanes for G {
     type I = I;
+    type F = F;
     type M = M;
 
+    #[inline(always)]
+    fn widen(self) -> F {
+        // SAFETY: lanes exist only where AVX-512 was detected.
+        unsafe {
+            F(
+                _mm512_cvtps_pd(_mm512_castps512_ps256(self.0)),
+                _mm512_cvtps_pd(_mm512_extractf32x8_ps::<1>(self.0)),
+            )
+        }
+    }
+    #[inline(always)]
+    fn truncate_i32(self) -> I {
+        // SAFETY: lanes exist only where AVX-512 was detected.
+        I(unsafe { _mm512_cvttps_epi32(self.0) })
+    }
     #[inline(always)]
     fn to_bits(self) -> I {
         // SAFETY: lanes exist only where AVX-512 was detected.

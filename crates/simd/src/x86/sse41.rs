@@ -47,6 +47,21 @@ fn split_words(a: __m128i, b: __m128i) -> (__m128i, __m128i) {
     }
 }
 
+/// Writes two lanes of four vectors side by side.
+#[inline(always)]
+fn transpose_two([a, b, c, d]: [__m128d; 4], to: &mut [[f64; 4]]) {
+    let to = &mut to[..2];
+    // SAFETY: SSE2, part of x86-64; the slice holds twice 32 bytes.
+    unsafe {
+        let ab = [_mm_unpacklo_pd(a, b), _mm_unpackhi_pd(a, b)];
+        let cd = [_mm_unpacklo_pd(c, d), _mm_unpackhi_pd(c, d)];
+        for i in 0..2 {
+            _mm_storeu_pd(to[i].as_mut_ptr(), ab[i]);
+            _mm_storeu_pd(to[i][2..].as_mut_ptr(), cd[i]);
+        }
+    }
+}
+
 impl Simd for Sse41 {
     const LANES: usize = 4;
     const LEVEL: Level = Level::Sse41;
@@ -149,6 +164,30 @@ impl Simd for Sse41 {
         let to = &mut to[..4];
         // SAFETY: the slice holds 16 bytes; the store takes any alignment.
         unsafe { _mm_storeu_ps(to.as_mut_ptr(), lanes.0) }
+    }
+    #[inline(always)]
+    fn transpose(self, [I(a), I(b), I(c), I(d)]: [I; 4], to: &mut [[i32; 4]]) {
+        let to = &mut to[..4];
+        // SAFETY: the slice holds four times 16 bytes; the token proves SSE4.1.
+        unsafe {
+            let (ab_low, ab_high) = (_mm_unpacklo_epi32(a, b), _mm_unpackhi_epi32(a, b));
+            let (cd_low, cd_high) = (_mm_unpacklo_epi32(c, d), _mm_unpackhi_epi32(c, d));
+            let rows = [
+                _mm_unpacklo_epi64(ab_low, cd_low),
+                _mm_unpackhi_epi64(ab_low, cd_low),
+                _mm_unpacklo_epi64(ab_high, cd_high),
+                _mm_unpackhi_epi64(ab_high, cd_high),
+            ];
+            for (to, row) in to.iter_mut().zip(rows) {
+                _mm_storeu_si128(to.as_mut_ptr().cast(), row);
+            }
+        }
+    }
+    #[inline(always)]
+    fn transpose_f(self, [a, b, c, d]: [F; 4], to: &mut [[f64; 4]]) {
+        let (front, back) = to[..4].split_at_mut(2);
+        transpose_two([a.0, b.0, c.0, d.0], front);
+        transpose_two([a.1, b.1, c.1, d.1], back);
     }
     #[inline(always)]
     fn mask(self, bits: u32) -> M {
@@ -265,6 +304,33 @@ impl FloatLanes for F {
         }
     }
     #[inline(always)]
+    fn from_i32(lanes: I) -> F {
+        // SAFETY: lanes exist only where SSE4.1 was detected.
+        unsafe {
+            let back = _mm_shuffle_epi32::<0b1110>(lanes.0);
+            F(_mm_cvtepi32_pd(lanes.0), _mm_cvtepi32_pd(back))
+        }
+    }
+    #[inline(always)]
+    fn abs(self) -> F {
+        // SAFETY: lanes exist only where SSE4.1 was detected.
+        unsafe {
+            let sign = _mm_set1_pd(-0.0);
+            F(_mm_andnot_pd(sign, self.0), _mm_andnot_pd(sign, self.1))
+        }
+    }
+    #[inline(always)]
+    fn trunc(self) -> F {
+        const TO_ZERO: i32 = _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC;
+        // SAFETY: lanes exist only where SSE4.1 was detected.
+        unsafe { F(_mm_round_pd::<TO_ZERO>(self.0), _mm_round_pd::<TO_ZERO>(self.1)) }
+    }
+    #[inline(always)]
+    fn floor(self) -> F {
+        // SAFETY: lanes exist only where SSE4.1 was detected.
+        unsafe { F(_mm_floor_pd(self.0), _mm_floor_pd(self.1)) }
+    }
+    #[inline(always)]
     fn floor_i32(self) -> I {
         #[inline(always)]
         fn half(x: __m128d) -> __m128i {
@@ -288,8 +354,19 @@ impl FloatLanes for F {
 
 impl SingleLanes for G {
     type I = I;
+    type F = F;
     type M = M;
 
+    #[inline(always)]
+    fn widen(self) -> F {
+        // SAFETY: lanes exist only where SSE4.1 was detected.
+        unsafe { F(_mm_cvtps_pd(self.0), _mm_cvtps_pd(_mm_movehl_ps(self.0, self.0))) }
+    }
+    #[inline(always)]
+    fn truncate_i32(self) -> I {
+        // SAFETY: lanes exist only where SSE4.1 was detected.
+        I(unsafe { _mm_cvttps_epi32(self.0) })
+    }
     #[inline(always)]
     fn to_bits(self) -> I {
         // SAFETY: lanes exist only where SSE4.1 was detected.
