@@ -7,11 +7,13 @@
 use core::ops::Range;
 use std::sync::Arc;
 
+use fillrate_simd::Simd;
+
 use crate::device::arena::{Arena, BatchState, Command, Run};
 use crate::setup::{
-    Edge, Extra, ExtraNeeds, Fate, Launch, RawShape, Screen, Shape, Sorted, Triangle, Triangles,
-    Values, VeriteExtra, VeriteSorted, VeriteVertex, prepare, prepare_extra, prepare_palette,
-    prepare_raw, set_up, set_up_verite, verite_extra,
+    CornerBlock, Edge, Extra, ExtraNeeds, Fate, Launch, Many, RawShape, Screen, Shape, Sorted,
+    Triangle, Triangles, Values, VeriteExtra, VeriteSorted, VeriteVertex, prepare, prepare_extra,
+    prepare_palette, prepare_raw, set_up, set_up_verite, verite_extra,
 };
 use crate::state::Rect;
 use crate::stats::Counters;
@@ -71,9 +73,12 @@ pub(crate) struct Chunk {
     /// What walks of the Raw profile begin rows of tiles with.
     pub raw_rows: Vec<f32>,
     pub counters: Counters,
-    /// What is known of each command's triangle before its set-up.
-    sorted: Vec<Sorted>,
-    /// The same of the Vérité's, where the arena has some.
+    /// Triangles set up together: the vector of the arena's triangles that they are,
+    /// and their state.
+    many: Many,
+    together: Option<(u32, u32)>,
+    /// What is known of each of the Vérité's triangles before its set-up, where the
+    /// arena has some.
     sorted_verites: Vec<VeriteSorted>,
     pairs: Vec<(u32, Entry)>,
     starts: Vec<u32>,
@@ -83,8 +88,9 @@ pub(crate) struct Chunk {
 impl Chunk {
     /// Sets up and bins `commands`.
     #[inline(always)]
-    pub fn build(
+    pub fn build<S: Simd>(
         &mut self,
+        s: S,
         arena: &Arena,
         states: &[Arc<BatchState>],
         commands: Range<usize>,
@@ -96,21 +102,15 @@ impl Chunk {
         self.raw_rows.clear();
         self.pairs.clear();
         self.counters = Counters::default();
+        self.together = None;
         let mut launch = Launch::default();
         let commands = &arena.commands[commands];
         self.sort_corners(arena, commands);
         for (i, command) in commands.iter().enumerate() {
             match *command {
-                Command::Triangle { vertices, state, .. } => {
-                    let sorted = self.sorted[i];
+                Command::Triangle(index) => {
                     self.counters.triangles_in += 1;
-                    let batch = &states[state as usize];
-                    let units = batch.pipeline.unit_count;
-                    if sorted.fate == Fate::Drawn {
-                        self.counters.triangles_drawn += 1;
-                        set_up(arena.vertices.get(vertices), &sorted, units, &mut launch);
-                        self.launch(batch, &launch, Extra::none, units.max(1), state, grid);
-                    }
+                    self.triangle(s, arena, states, index, grid);
                 }
                 Command::Verite { state, .. } | Command::VeriteExtended { state, .. } => {
                     let sorted = self.sorted_verites[i];
@@ -161,16 +161,6 @@ impl Chunk {
     /// time, since none waits for another one's result.
     #[inline(always)]
     fn sort_corners(&mut self, arena: &Arena, commands: &[Command]) {
-        self.sorted.clear();
-        if arena.has_triangles() {
-            self.sorted.extend(commands.iter().map(|command| match *command {
-                Command::Triangle { vertices, cull, .. } => {
-                    let [a, b, c] = arena.vertices.get(vertices);
-                    Sorted::new([a, b, c], cull)
-                }
-                _ => Sorted::default(),
-            }));
-        }
         self.sorted_verites.clear();
         if arena.has_verites() {
             self.sorted_verites.extend(commands.iter().map(|command| {
@@ -180,6 +170,47 @@ impl Chunk {
                 }
             }));
         }
+    }
+
+    /// Sets a triangle up, with its neighbours of the same state where it can be.
+    #[inline(always)]
+    fn triangle<S: Simd>(
+        &mut self,
+        s: S,
+        arena: &Arena,
+        states: &[Arc<BatchState>],
+        index: u32,
+        grid: &Grid,
+    ) {
+        let (block, at) = arena.triangles.get(index);
+        let (state, lane) = (block.state(at), at % S::LANES);
+        let batch = &*states[state as usize];
+        let together = Some((index / S::LANES as u32, state));
+        if self.together != together {
+            self.together = together;
+            let (screen, units) = (&batch.screen, batch.pipeline.unit_count);
+            self.many.set_up(s, block, at - lane, screen, units);
+        }
+        if self.many.fate(lane) != Fate::Drawn {
+            return;
+        }
+        self.counters.triangles_drawn += 1;
+        if !self.many.is_plain(lane) || batch.screen.scale > 1 || batch.pipeline.needs.extra.any() {
+            return self.single(batch, block, at, grid);
+        }
+        let entry = Entry::Triangle(self.triangles.list.len() as u32);
+        if let Some(triangle) = self.many.push(lane, state, &mut self.triangles) {
+            add_edges(&mut self.pairs, &triangle.bounds, triangle_edges(triangle), entry, grid);
+        }
+    }
+
+    /// Sets a triangle up that is drawn.
+    #[inline(never)]
+    fn single(&mut self, batch: &BatchState, block: &CornerBlock, at: usize, grid: &Grid) {
+        let (corners, units) = (block.corners(at), batch.pipeline.unit_count);
+        let mut launch = Launch::default();
+        set_up(&corners, &Sorted::new(corners.each_ref(), block.cull(at)), units, &mut launch);
+        self.launch(batch, &launch, Extra::none, units.max(1), block.state(at), grid);
     }
 
     #[inline(always)]
@@ -347,6 +378,8 @@ fn touches(edges: &[Edge], tile: &Rect) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use fillrate_simd::Scalar;
+
     use super::*;
     use crate::device::ClearValues;
     use crate::device::arena::Clear;
@@ -363,7 +396,7 @@ mod tests {
         }
         let mut chunk = Chunk::default();
         for _ in 0..2 {
-            chunk.build(&arena, &[], 0..3, &grid);
+            chunk.build(Scalar, &arena, &[], 0..3, &grid);
             assert_eq!(chunk.tile(0), [Entry::Clear(0), Entry::Clear(2)]);
             assert_eq!(chunk.tile(5), [Entry::Clear(0), Entry::Clear(1), Entry::Clear(2)]);
             assert_eq!(chunk.tile(11), [Entry::Clear(0)]);

@@ -7,7 +7,7 @@ use rustc_hash::FxHashMap;
 use super::ClearValues;
 use crate::kernel::Pipeline;
 use crate::setup::{
-    Cull, PalettePrimitive, RawPrimitive, Registers, Screen, VeriteExtra, VeriteVertex, Vertex,
+    CornerBlocks, PalettePrimitive, RawPrimitive, Registers, Screen, VeriteExtra, VeriteVertex,
 };
 use crate::state::{DrawState, MAX_TMUS, Origin, PaletteDraw, RawDraw, Rect};
 use crate::target::{PixelFormat, Surface};
@@ -16,8 +16,8 @@ use crate::texture::Texture;
 /// One command; the payloads lie in the arena's own lists.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Command {
-    /// Vertices to set up.
-    Triangle { vertices: u32, cull: Cull, state: u32 },
+    /// Corners to set up.
+    Triangle(u32),
     /// Vertices for the Vérité's set-up.
     Verite { vertices: u32, state: u32 },
     /// The same with extras.
@@ -221,7 +221,7 @@ impl<V: Default> Corners<V> {
 #[derive(Debug, Default)]
 pub(crate) struct Arena {
     pub commands: Vec<Command>,
-    pub vertices: Corners<Vertex>,
+    pub triangles: CornerBlocks,
     pub verites: Corners<VeriteVertex>,
     pub extended_verites: Corners<(VeriteVertex, VeriteExtra)>,
     pub registers: Vec<Registers>,
@@ -242,11 +242,6 @@ pub(super) const MAX_STATES: usize = 1 << 12;
 const MAX_PIXELS: usize = 1 << 20;
 
 impl Arena {
-    /// Whether triangles wait for the SST-1's set-up.
-    pub fn has_triangles(&self) -> bool {
-        self.vertices.used > 0
-    }
-
     /// Whether triangles wait for the Vérité's set-up.
     pub fn has_verites(&self) -> bool {
         self.verites.used + self.extended_verites.used > 0
@@ -264,7 +259,7 @@ impl Arena {
     /// Forgets everything, and keeps the memory.
     pub fn clear(&mut self) {
         self.commands.clear();
-        self.vertices.used = 0;
+        self.triangles.clear();
         self.verites.used = 0;
         self.extended_verites.used = 0;
         self.registers.clear();

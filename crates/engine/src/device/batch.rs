@@ -121,7 +121,7 @@ impl Batch {
 
     /// Sets chunks up and sorts them into tiles, until none is left.
     #[inline(always)]
-    fn build(&self) {
+    fn build<S: Simd>(&self, s: S) {
         loop {
             let i = self.next.fetch_add(1, Ordering::Relaxed);
             if i >= self.count {
@@ -131,7 +131,7 @@ impl Batch {
             let _built = Built(self);
             let commands = i * CHUNK..self.arena.commands.len().min((i + 1) * CHUNK);
             let mut chunk = self.chunks[i].write().unwrap_or_else(PoisonError::into_inner);
-            chunk.build(&self.arena, &self.states, commands, &self.grid);
+            chunk.build(s, &self.arena, &self.states, commands, &self.grid);
         }
     }
 
@@ -181,8 +181,8 @@ impl Kernel for Build<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run<S: Simd>(self, _: S) {
-        self.0.build();
+    fn run<S: Simd>(self, s: S) {
+        self.0.build(s);
     }
 }
 

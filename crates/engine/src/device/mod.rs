@@ -19,7 +19,7 @@ use crate::crew::Crew;
 use crate::error::EngineError;
 use crate::kernel::Pipeline;
 use crate::setup::{
-    Cull, MAX_SCALE, Outcome, Registers, VeriteExtra, VeriteVertex, Vertex, VertexExtra,
+    Cull, MAX_SCALE, Outcome, Registers, UsedState, VeriteExtra, VeriteVertex, Vertex, VertexExtra,
     extended_triangle,
 };
 use crate::state::{Dither, DrawState, MAX_TMUS, Origin, Rect};
@@ -114,8 +114,8 @@ pub struct Device {
     current: CurrentState,
     /// Surface pixels of a pixel that coordinates count.
     scale: u32,
-    /// Index of the current state in `states`, once something used it.
-    state: Option<u32>,
+    /// The current state in `states`, once something used it.
+    state: Option<UsedState>,
     counters: Counters,
     flushes: FlushStats,
 }
@@ -252,13 +252,12 @@ impl Device {
         self.draw_triangle_made(cull, || [*a, *b, *c]);
     }
 
-    /// The same with corners that are made where they are kept.
+    /// The same with corners that are made when it is clear that they are needed.
     #[inline(always)]
     pub fn draw_triangle_made(&mut self, cull: Cull, corners: impl FnOnce() -> [Vertex; 3]) {
         let Some(state) = self.use_state() else { return };
-        let (vertices, place) = self.arena.vertices.next();
-        *place = corners();
-        self.arena.commands.push(Command::Triangle { vertices, cull, state });
+        let index = self.arena.triangles.push(state, cull, &corners());
+        self.arena.commands.push(Command::Triangle(index));
     }
 
     /// Draws a triangle by the current state, later, with the second and third
@@ -282,7 +281,7 @@ impl Device {
         let state = self.use_state()?;
         let Arena { commands, verites, .. } = &mut self.arena;
         let (vertices, place) = verites.next();
-        commands.push(Command::Verite { vertices, state });
+        commands.push(Command::Verite { vertices, state: state.index });
         Some(place)
     }
 
@@ -293,7 +292,7 @@ impl Device {
         let state = self.use_state()?;
         let Arena { commands, extended_verites, .. } = &mut self.arena;
         let (vertices, place) = extended_verites.next();
-        commands.push(Command::VeriteExtended { vertices, state });
+        commands.push(Command::VeriteExtended { vertices, state: state.index });
         Some(place)
     }
 
@@ -307,13 +306,13 @@ impl Device {
             *coordinate = i32::from(*coordinate as i16);
         }
         self.arena.registers.push(registers);
-        self.arena.commands.push(Command::Launch { registers: index, state });
+        self.arena.commands.push(Command::Launch { registers: index, state: state.index });
     }
 
     /// Draws ready-made fragments, later. Fragments outside the target, and
     /// those without a depth, are dropped.
     pub fn draw_pixels(&mut self, run: &PixelRun<'_>) {
-        let Some(state) = self.use_state() else { return };
+        let Some(UsedState { index: state, .. }) = self.use_state() else { return };
         let aux = self.aux_format();
         let batch = &self.states[state];
         let (width, height) = (batch.screen.width, batch.screen.height);
@@ -371,7 +370,7 @@ impl Device {
 
     /// The arena's entry of the current state; `None` without a target.
     #[inline]
-    fn use_state(&mut self) -> Option<u32> {
+    fn use_state(&mut self) -> Option<UsedState> {
         match self.state {
             Some(state) if !self.is_full() => Some(state),
             _ => self.find_state(),
@@ -379,7 +378,7 @@ impl Device {
     }
 
     #[cold]
-    fn find_state(&mut self) -> Option<u32> {
+    fn find_state(&mut self) -> Option<UsedState> {
         self.make_room();
         if let Some(state) = self.state {
             return Some(state);
@@ -388,8 +387,9 @@ impl Device {
         let target = self.surfaces.get(self.color?.0 as usize)?.as_ref()?;
         let aux = self.aux_format();
         let index = self.states.find(state, textures, target, aux, self.scale);
-        self.state = Some(index);
-        Some(index)
+        let units = self.states[index].pipeline.unit_count;
+        self.state = Some(UsedState { index, units });
+        self.state
     }
 
     /// Whether a batch should be drawn before more is added to the next.

@@ -1,7 +1,9 @@
 //! Triangle set-up: from vertices to the registers of a rasterizer chip.
 
+mod corners;
 mod extra;
 mod launch;
+mod many;
 mod palette;
 mod planes;
 mod raw;
@@ -10,8 +12,10 @@ mod sst1;
 mod verite;
 mod vertex;
 
+pub(crate) use corners::{CornerBlock, CornerBlocks, UsedState};
 pub(crate) use extra::{BASE, Extra, ExtraNeeds, SPECULAR};
 pub(crate) use launch::{Launch, Z};
+pub(crate) use many::Many;
 pub use palette::{PALETTE_COORDINATE, PalettePrimitive, PaletteVertex};
 pub(crate) use palette::{Plane32, Shape, Texels, prepare_palette};
 pub use planes::MAX_SCALE;

@@ -102,7 +102,7 @@ pub(crate) struct PlaneF {
 
 /// 64-bit attributes of a group: see [`Launch`].
 #[derive(Clone, Copy, Debug)]
-struct WideGroup {
+pub(super) struct WideGroup {
     c: [i64; GROUP],
     dx: [i64; GROUP],
     dy: [i64; GROUP],
@@ -117,10 +117,10 @@ impl WideGroup {
 
 /// The same of an exact triangle.
 #[derive(Clone, Copy, Debug)]
-struct ExactGroup {
-    start: [f64; GROUP],
-    dx: [f64; GROUP],
-    dy: [f64; GROUP],
+pub(super) struct ExactGroup {
+    pub start: [f64; GROUP],
+    pub dx: [f64; GROUP],
+    pub dy: [f64; GROUP],
 }
 
 impl ExactGroup {
@@ -164,9 +164,9 @@ pub(crate) struct Triangle {
     pub compact: bool,
     /// First of its groups of 64-bit planes in [`Triangles`], of the exact or of
     /// the others.
-    wide: u32,
+    pub(super) wide: u32,
     /// First of its groups of what states read besides.
-    extra: u32,
+    pub(super) extra: u32,
     /// Level of detail of each unit at w = 1, without bias.
     pub lod_base: [i32; MAX_TMUS],
     pub edges: [Edge; 3],
@@ -195,11 +195,11 @@ impl Triangle {
 #[derive(Debug, Default)]
 pub(crate) struct Triangles {
     pub list: Vec<Triangle>,
-    exact: Vec<ExactGroup>,
+    pub(super) exact: Vec<ExactGroup>,
     /// Of triangles that are not exact.
     wides: Vec<WideGroup>,
     /// What states read besides.
-    extras: Vec<WideGroup>,
+    pub(super) extras: Vec<WideGroup>,
     /// The exact group of those whose 64-bit parameters are all zero.
     zero: Option<u32>,
 }
@@ -300,6 +300,12 @@ impl Triangles {
     }
 }
 
+/// Coordinates of a compact triangle span less.
+pub(super) const COMPACT: i32 = 256 << COORD_FRACTION;
+
+/// How far 32-bit parameters are shifted left: colours go to the top 24 bits.
+pub(super) const SHIFTS: [u32; NARROW] = [8, 8, 8, 8, 0, 0, 0, 0];
+
 /// Where a triangle is drawn.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Screen {
@@ -315,8 +321,8 @@ pub const MAX_SCALE: u32 = 4;
 
 /// Limits below which f64 iteration and division are exact: s and t are
 /// multiplied by 256 and must stay below 2^53, w keeps to the 48 bits it has.
-const COORDINATE_LIMIT: f64 = (1u64 << 44) as f64;
-const W_LIMIT: f64 = (1u64 << 46) as f64;
+pub(super) const COORDINATE_LIMIT: f64 = (1u64 << 44) as f64;
+pub(super) const W_LIMIT: f64 = (1u64 << 46) as f64;
 /// The limits of a group's lanes. The lane without meaning has none.
 const FIRST_LIMITS: [f64; GROUP] = [W_LIMIT, COORDINATE_LIMIT, COORDINATE_LIMIT, W_LIMIT];
 const OTHER_LIMITS: [f64; GROUP] = [COORDINATE_LIMIT, COORDINATE_LIMIT, W_LIMIT, f64::INFINITY];
@@ -324,7 +330,7 @@ const OTHER_LIMITS: [f64; GROUP] = [COORDINATE_LIMIT, COORDINATE_LIMIT, W_LIMIT,
 const W_LIMITS: [f64; GROUP] = [W_LIMIT, f64::INFINITY, f64::INFINITY, f64::INFINITY];
 /// Sums of integers below it in magnitude are exact in floats, and so are
 /// conversions from and to integers by adding [`TO_INTEGER`].
-const EXACT_LIMIT: f64 = (1u64 << 50) as f64;
+pub(super) const EXACT_LIMIT: f64 = (1u64 << 50) as f64;
 /// A float whose mantissa's last bit is one: that of a sum with it is an integer.
 const TO_INTEGER: f64 = (3u64 << 51) as f64;
 
@@ -357,7 +363,7 @@ pub(crate) fn prepare<'a>(
         exact &= fits;
         if unit < units {
             let first = wide_lane(unit, 0).1;
-            lods[unit] = lod_base(&group.plane(first), &group.plane(first + 1));
+            lods[unit] = level_of_detail(&group.plane(first), &group.plane(first + 1));
         }
         out.exact.push(group);
     }
@@ -383,6 +389,12 @@ pub(crate) fn prepare<'a>(
     out.list.last()
 }
 
+/// The level of detail at w = 1 of the planes of s and t.
+#[inline(always)]
+fn level_of_detail(s: &PlaneF, t: &PlaneF) -> i32 {
+    lod_base(s.dx * s.dx + t.dx * t.dx, s.dy * s.dy + t.dy * t.dy)
+}
+
 /// The planes of a triangle that floats do not hold.
 #[cold]
 fn large_planes(
@@ -400,7 +412,7 @@ fn large_planes(
                 let Plane64 { dx, dy, .. } = group.plane(lane);
                 PlaneF { start: 0.0, dx: dx as f64, dy: dy as f64 }
             });
-            lods[unit] = lod_base(&steps[0], &steps[1]);
+            lods[unit] = level_of_detail(&steps[0], &steps[1]);
         }
         out.push(group);
     }
@@ -478,7 +490,7 @@ fn level_edge(bounds: &Rect, first: bool) -> Edge {
 fn is_compact(launch: &Launch) -> bool {
     let ([ax, bx, cx], [ay, by, cy]) = (launch.x, launch.y);
     let width = ax.max(bx).max(cx) - ax.min(bx).min(cx);
-    let small = width.max(cy - ay) < 256 << COORD_FRACTION;
+    let small = width.max(cy - ay) < COMPACT;
     let sorted = ay <= by && by <= cy;
     // Below 2^13 each, where it counts.
     let area = (bx - ax).wrapping_mul(cy - ay).wrapping_sub((cx - ax).wrapping_mul(by - ay));
@@ -553,8 +565,6 @@ impl Corrected {
 
     #[inline(always)]
     fn narrow(&self, params: &Params<[i32; NARROW]>) -> Narrow {
-        // Colours go to the top 24 bits.
-        const SHIFTS: [u32; NARROW] = [8, 8, 8, 8, 0, 0, 0, 0];
         let mut out = Narrow::default();
         #[allow(clippy::needless_range_loop, reason = "one lane of six arrays")]
         for lane in 0..NARROW {

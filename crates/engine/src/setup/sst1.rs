@@ -72,7 +72,7 @@ fn order_key(value: f32) -> i32 {
 /// Orders of three vertices and whether they are odd permutations, by the
 /// comparisons a < b, b < c, b > c, a < c as bits 3 to 0. Ties are broken as
 /// the original's comparisons break them.
-static ORDERS: [([u8; 3], bool); 16] = {
+const ORDERS: [([u8; 3], bool); 16] = {
     const BCA: ([u8; 3], bool) = ([1, 2, 0], false);
     const BAC: ([u8; 3], bool) = ([1, 0, 2], true);
     const CBA: ([u8; 3], bool) = ([2, 1, 0], true);
@@ -80,6 +80,18 @@ static ORDERS: [([u8; 3], bool); 16] = {
     const CAB: ([u8; 3], bool) = ([2, 0, 1], false);
     const ACB: ([u8; 3], bool) = ([0, 2, 1], true);
     [CBA, CBA, CBA, CBA, BCA, BAC, BCA, BAC, ABC, ABC, CAB, ACB, ABC, ABC, CAB, ACB]
+};
+
+/// The same as integers: the indices two bits each, the lowest first, and bit 6 for
+/// an odd permutation.
+pub(super) static ORDER_CODES: [i32; 16] = {
+    let (mut codes, mut i) = ([0; 16], 0);
+    while i < 16 {
+        let ([a, b, c], odd) = ORDERS[i];
+        codes[i] = (a as i32) | (b as i32) << 2 | (c as i32) << 4 | (odd as i32) << 6;
+        i += 1;
+    }
+    codes
 };
 
 /// The vertices' indices by rising y, and whether the order is an odd

@@ -1,0 +1,153 @@
+//! Corners of triangles as they wait for set-up: field by field, a lane for each
+//! triangle, so that set-up loads many triangles at once and a batch holds only
+//! what its states read.
+
+use super::{Cull, TmuVertex, Vertex};
+use crate::state::MAX_TMUS;
+
+/// Triangles of a block, the most that set-up takes at once.
+pub(crate) const BLOCK: usize = fillrate_simd::MAX_LANES;
+
+/// A field of three corners of each triangle.
+pub(super) type Field = [[f32; BLOCK]; 3];
+
+/// Fields besides the texture coordinates: x, y, red, green, blue, alpha, z, w.
+const FIXED: usize = 8;
+pub(super) const X: usize = 0;
+pub(super) const Y: usize = 1;
+/// Red; green, blue, alpha and z follow.
+pub(super) const RED: usize = 2;
+pub(super) const W: usize = 7;
+
+/// The field of parameter 0, 1, 2 (s, t, w) of a unit.
+pub(super) const fn tmu_field(unit: usize, param: usize) -> usize {
+    FIXED + 3 * unit + param
+}
+
+/// Corners of sixteen triangles.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+pub(crate) struct CornerBlock {
+    /// Index of each triangle's draw state.
+    pub(super) state: [i32; BLOCK],
+    /// Each one's [`Cull`] as an integer.
+    pub(super) cull: [i32; BLOCK],
+    pub(super) fields: [Field; FIXED + 3 * MAX_TMUS],
+}
+
+impl Default for CornerBlock {
+    fn default() -> CornerBlock {
+        let fields = [Field::default(); FIXED + 3 * MAX_TMUS];
+        CornerBlock { state: [0; BLOCK], cull: [0; BLOCK], fields }
+    }
+}
+
+impl CornerBlock {
+    #[inline(always)]
+    fn put(&mut self, lane: usize, state: UsedState, cull: Cull, corners: &[Vertex; 3]) {
+        let lane = lane % BLOCK;
+        self.state[lane] = state.index as i32;
+        self.cull[lane] = cull as i32;
+        for (i, v) in corners.iter().enumerate() {
+            let fixed = [v.x, v.y, v.r, v.g, v.b, v.a, v.z, v.w];
+            for (field, value) in self.fields[..FIXED].iter_mut().zip(fixed) {
+                field[i][lane] = value;
+            }
+        }
+        for unit in 0..MAX_TMUS {
+            if unit < state.units {
+                for (i, v) in corners.iter().enumerate() {
+                    let TmuVertex { s, t, w } = v.tmu[unit];
+                    self.fields[tmu_field(unit, 0)][i][lane] = s;
+                    self.fields[tmu_field(unit, 1)][i][lane] = t;
+                    self.fields[tmu_field(unit, 2)][i][lane] = w;
+                }
+            }
+        }
+    }
+
+    /// The corners of one triangle; those of units that its state does not read
+    /// are any.
+    pub fn corners(&self, lane: usize) -> [Vertex; 3] {
+        let get = |field: usize, corner: usize| self.fields[field][corner][lane];
+        core::array::from_fn(|i| Vertex {
+            x: get(X, i),
+            y: get(Y, i),
+            r: get(RED, i),
+            g: get(RED + 1, i),
+            b: get(RED + 2, i),
+            a: get(RED + 3, i),
+            z: get(RED + 4, i),
+            w: get(W, i),
+            tmu: core::array::from_fn(|unit| TmuVertex {
+                s: get(tmu_field(unit, 0), i),
+                t: get(tmu_field(unit, 1), i),
+                w: get(tmu_field(unit, 2), i),
+            }),
+        })
+    }
+
+    /// The index of a triangle's draw state.
+    #[inline(always)]
+    pub fn state(&self, lane: usize) -> u32 {
+        self.state[lane] as u32
+    }
+
+    /// Which way of facing drops a triangle.
+    pub fn cull(&self, lane: usize) -> Cull {
+        match self.cull[lane] {
+            CULL_NEGATIVE => Cull::Negative,
+            CULL_POSITIVE => Cull::Positive,
+            _ => Cull::Disabled,
+        }
+    }
+}
+
+pub(super) const CULL_NEGATIVE: i32 = Cull::Negative as i32;
+pub(super) const CULL_POSITIVE: i32 = Cull::Positive as i32;
+
+/// A draw state in use.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct UsedState {
+    pub index: u32,
+    /// Texture units that it reads.
+    pub units: usize,
+}
+
+/// Triangles in blocks. Their list keeps its length when it is emptied, so that a
+/// triangle is written where it stays.
+#[derive(Debug, Default)]
+pub(crate) struct CornerBlocks {
+    list: Vec<CornerBlock>,
+    used: usize,
+}
+
+impl CornerBlocks {
+    /// Adds a triangle, and returns its index.
+    #[inline(always)]
+    pub fn push(&mut self, state: UsedState, cull: Cull, corners: &[Vertex; 3]) -> u32 {
+        let index = self.used;
+        if index / BLOCK == self.list.len() {
+            self.grow();
+        }
+        self.used += 1;
+        self.list[index / BLOCK].put(index, state, cull, corners);
+        index as u32
+    }
+
+    #[cold]
+    fn grow(&mut self) {
+        let more = self.list.len().max(4);
+        self.list.resize_with(self.list.len() + more, Default::default);
+    }
+
+    /// The block of a triangle, and the triangle's lane.
+    #[inline(always)]
+    pub fn get(&self, index: u32) -> (&CornerBlock, usize) {
+        (&self.list[index as usize / BLOCK], index as usize % BLOCK)
+    }
+
+    pub fn clear(&mut self) {
+        self.used = 0;
+    }
+}

@@ -1,0 +1,172 @@
+//! [`crate::setup::sst1`] in lanes.
+
+use fillrate_simd::{FloatLanes, IntLanes, MaskLanes, Simd, SingleLanes};
+
+use super::{Places, Source};
+use crate::fixed::{COLOR_FRACTION, COORD_FRACTION, FITS_I32, WIDE_FRACTION, WIDE_LIMIT};
+use crate::setup::corners::{CornerBlock, Field, RED, W, X, Y, tmu_field};
+use crate::setup::launch::Params;
+use crate::setup::sst1::ORDER_CODES;
+
+/// Triangles with their corners sorted, and what their gradients are made of.
+pub(super) struct Sorted<'a, S: Simd> {
+    block: &'a CornerBlock,
+    first: usize,
+    /// Bit per lane: those with an area, and those that face the wrong way.
+    pub drawn: u32,
+    pub culled: u32,
+    /// For each sorted corner: whether it was the second, and the third.
+    from: [[S::M; 2]; 3],
+    negative: S::I,
+    /// Deltas of the sorted corners by the area.
+    dx_ab: S::G,
+    dy_ab: S::G,
+    dx_bc: S::G,
+    dy_bc: S::G,
+}
+
+/// A float's bits as an integer that orders like the float.
+#[inline(always)]
+fn order_key<S: Simd>(value: S::G) -> S::I {
+    let bits = value.to_bits();
+    bits ^ bits.sar(31).shr(1)
+}
+
+/// `bit` in the lanes that are on.
+#[inline(always)]
+fn bit<S: Simd>(s: S, mask: S::M, bit: i32) -> S::I {
+    s.splat(bit).select(s.splat(0), mask)
+}
+
+/// A field's values, by corner as they came.
+#[inline(always)]
+fn load<S: Simd>(s: S, field: &Field, first: usize) -> [S::G; 3] {
+    [s.load_g(&field[0][first..]), s.load_g(&field[1][first..]), s.load_g(&field[2][first..])]
+}
+
+/// A field's values, by sorted corner.
+#[inline(always)]
+fn sorted<S: Simd>([a, b, c]: [S::G; 3], from: &[[S::M; 2]; 3]) -> [S::G; 3] {
+    [
+        c.select(b.select(a, from[0][0]), from[0][1]),
+        c.select(b.select(a, from[1][0]), from[1][1]),
+        c.select(b.select(a, from[2][0]), from[2][1]),
+    ]
+}
+
+impl<'a, S: Simd> Sorted<'a, S> {
+    #[inline(always)]
+    pub fn new(s: S, block: &'a CornerBlock, first: usize) -> Self {
+        let (x, y) = (load(s, &block.fields[X], first), load(s, &block.fields[Y], first));
+        let code = order(s, y);
+        let which = [code & s.splat(3), code.shr(2) & s.splat(3), code.shr(4) & s.splat(3)];
+        let (one, two) = (s.splat(1), s.splat(2));
+        let from = [
+            [which[0].eq(one), which[0].eq(two)],
+            [which[1].eq(one), which[1].eq(two)],
+            [which[2].eq(one), which[2].eq(two)],
+        ];
+        let ([ax, bx, cx], [ay, by, cy]) = (sorted::<S>(x, &from), sorted::<S>(y, &from));
+        let (dx_ab, dy_ab, dx_bc, dy_bc) = (ax - bx, ay - by, bx - cx, by - cy);
+        let area = dx_ab * dy_bc - dx_bc * dy_ab;
+        let inverse = s.splat_g(1.0) / area;
+        let size = area.to_bits() & s.splat(i32::MAX);
+        let drawn = size.gt(s.splat(0)) & s.splat(f32::INFINITY.to_bits() as i32).gt(size);
+        let negative = area.to_bits().sar(31);
+        // The caller's order: -1 where its area is negative.
+        let facing = negative ^ (s.splat(0) - code.shr(6));
+        let culled = s.load(&block.cull[first..]).eq(facing + two);
+        Sorted {
+            block,
+            first,
+            drawn: drawn.bits(),
+            culled: culled.bits(),
+            from,
+            negative,
+            dx_ab: dx_ab * inverse,
+            dy_ab: dy_ab * inverse,
+            dx_bc: dx_bc * inverse,
+            dy_bc: dy_bc * inverse,
+        }
+    }
+
+    /// Start values and steps of a field.
+    #[inline(always)]
+    fn gradients(&self, s: S, field: usize) -> Params<S::G> {
+        let values = load(s, &self.block.fields[field], self.first);
+        let [a, b, c] = sorted::<S>(values, &self.from);
+        let (d_ab, d_bc) = (a - b, b - c);
+        Params {
+            start: a,
+            dx: d_ab * self.dy_bc - d_bc * self.dy_ab,
+            dy: d_bc * self.dx_ab - d_ab * self.dx_bc,
+        }
+    }
+}
+
+/// Codes of the corners' order: see [`ORDER_CODES`].
+#[inline(always)]
+fn order<S: Simd>(s: S, [a, b, c]: [S::G; 3]) -> S::I {
+    let (a, b, c) = (order_key::<S>(a), order_key::<S>(b), order_key::<S>(c));
+    let index = bit(s, b.gt(a), 8) | bit(s, c.gt(b), 4) | bit(s, b.gt(c), 2) | bit(s, c.gt(a), 1);
+    s.lookup16(&ORDER_CODES, index)
+}
+
+/// `value * 2^fraction`, truncated toward zero, where that fits.
+#[inline(always)]
+fn scaled<S: Simd>(s: S, value: S::G, fraction: u32) -> (S::I, S::M) {
+    let product = value * s.splat_g((1u32 << fraction) as f32);
+    let size = S::G::from_bits(product.to_bits() & s.splat(i32::MAX));
+    (product.truncate_i32(), size.lt(s.splat_g(FITS_I32)))
+}
+
+/// A coordinate as 12.4.
+#[inline(always)]
+fn coordinate<S: Simd>(s: S, value: S::G) -> (S::I, S::M) {
+    let (value, fits) = scaled(s, value, COORD_FRACTION);
+    (value.shl(16).sar(16), fits)
+}
+
+/// With 32 fraction bits, truncated toward zero, where floats hold it.
+#[inline(always)]
+fn widened<S: Simd>(s: S, value: S::G) -> (S::F, S::M) {
+    let value = value.widen() * s.splat_f((1u64 << WIDE_FRACTION) as f64);
+    (value.trunc(), value.abs().lt(s.splat_f(WIDE_LIMIT)))
+}
+
+impl<S: Simd> Source<S> for Sorted<'_, S> {
+    #[inline(always)]
+    fn places(&self, s: S) -> (Places<S>, S::M) {
+        let (x, y) = (&self.block.fields[X], &self.block.fields[Y]);
+        let [ax, bx, cx] = sorted::<S>(load(s, x, self.first), &self.from);
+        let [ay, by, cy] = sorted::<S>(load(s, y, self.first), &self.from);
+        let ((ax, fits_ax), (ay, fits_ay)) = (coordinate(s, ax), coordinate(s, ay));
+        let ((bx, fits_bx), (by, fits_by)) = (coordinate(s, bx), coordinate(s, by));
+        let ((cx, fits_cx), (cy, fits_cy)) = (coordinate(s, cx), coordinate(s, cy));
+        let fits = fits_ax & fits_ay & fits_bx & fits_by & fits_cx & fits_cy;
+        (Places { x: [ax, bx, cx], y: [ay, by, cy], negative: self.negative }, fits)
+    }
+
+    #[inline(always)]
+    fn narrow(&self, s: S, lane: usize) -> (Params<S::I>, S::M) {
+        let Params { start, dx, dy } = self.gradients(s, RED + lane);
+        let (start, fits) = scaled(s, start, COLOR_FRACTION);
+        let (dx, fits_dx) = scaled(s, dx, COLOR_FRACTION);
+        let (dy, fits_dy) = scaled(s, dy, COLOR_FRACTION);
+        (Params { start, dx, dy }, fits & fits_dx & fits_dy)
+    }
+
+    #[inline(always)]
+    fn wide(&self, s: S, group: usize, lane: usize) -> (Params<S::F>, S::M) {
+        let field = match (group, lane) {
+            (0, 0) => W,
+            (0, _) => tmu_field(0, lane - 1),
+            _ => tmu_field(group, lane),
+        };
+        let Params { start, dx, dy } = self.gradients(s, field);
+        let (start, fits) = widened(s, start);
+        let (dx, fits_dx) = widened(s, dx);
+        let (dy, fits_dy) = widened(s, dy);
+        (Params { start, dx, dy }, fits & fits_dx & fits_dy)
+    }
+}
