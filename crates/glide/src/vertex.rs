@@ -66,17 +66,8 @@ pub(crate) struct VertexRules {
 }
 
 impl VertexRules {
-    /// The engine's vertices of a triangle: [`VertexRules::convert`], whose
-    /// conditions most often need not be asked for each corner.
-    #[inline(always)]
-    pub fn convert_all(&self, corners: [&GrVertex; 3]) -> [Vertex; 3] {
-        const PLAIN: VertexRules = VertexRules { hints: 0, unit0_active: true, constant: None };
-        let [a, b, c] = corners;
-        if *self == PLAIN {
-            return [PLAIN.convert(a), PLAIN.convert(b), PLAIN.convert(c)];
-        }
-        [self.convert(a), self.convert(b), self.convert(c)]
-    }
+    /// No hints, and the vertices' own colours.
+    pub const PLAIN: VertexRules = VertexRules { hints: 0, unit0_active: true, constant: None };
 
     /// The engine's vertex.
     ///

@@ -290,8 +290,8 @@ impl Painter {
 
     /// Draws a triangle by the chosen state.
     #[inline(always)]
-    pub fn triangle(&mut self, corners: impl FnOnce() -> [Vertex; 3]) {
-        self.device.draw_triangle_made(Cull::Disabled, corners);
+    pub fn triangle(&mut self, corner: impl Fn(usize) -> Vertex) {
+        self.device.draw_triangle_made(Cull::Disabled, corner);
     }
 
     /// Draws a triangle with all values by the chosen state.

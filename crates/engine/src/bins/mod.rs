@@ -185,6 +185,9 @@ impl Chunk {
         let (block, at) = arena.triangles.get(index);
         let (state, lane) = (block.state(at), at % S::LANES);
         let batch = &*states[state as usize];
+        if S::ONE_BY_ONE {
+            return self.single(batch, block, at, grid);
+        }
         let together = Some((index / S::LANES as u32, state));
         if self.together != together {
             self.together = together;
@@ -194,23 +197,27 @@ impl Chunk {
         if self.many.fate(lane) != Fate::Drawn {
             return;
         }
-        self.counters.triangles_drawn += 1;
         if !self.many.is_plain(lane) || batch.screen.scale > 1 || batch.pipeline.needs.extra.any() {
             return self.single(batch, block, at, grid);
         }
+        self.counters.triangles_drawn += 1;
         let entry = Entry::Triangle(self.triangles.list.len() as u32);
         if let Some(triangle) = self.many.push(lane, state, &mut self.triangles) {
             add_edges(&mut self.pairs, &triangle.bounds, triangle_edges(triangle), entry, grid);
         }
     }
 
-    /// Sets a triangle up that is drawn.
-    #[inline(never)]
+    /// Sets a triangle up by itself.
+    #[inline(always)]
     fn single(&mut self, batch: &BatchState, block: &CornerBlock, at: usize, grid: &Grid) {
         let (corners, units) = (block.corners(at), batch.pipeline.unit_count);
-        let mut launch = Launch::default();
-        set_up(&corners, &Sorted::new(corners.each_ref(), block.cull(at)), units, &mut launch);
-        self.launch(batch, &launch, Extra::none, units.max(1), block.state(at), grid);
+        let sorted = Sorted::new(corners.each_ref(), block.cull(at));
+        if sorted.fate == Fate::Drawn {
+            self.counters.triangles_drawn += 1;
+            let mut launch = Launch::default();
+            set_up(&corners, &sorted, units, &mut launch);
+            self.launch(batch, &launch, Extra::none, units.max(1), block.state(at), grid);
+        }
     }
 
     #[inline(always)]

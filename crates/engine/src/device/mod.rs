@@ -248,15 +248,15 @@ impl Device {
 
     /// Draws a triangle by the current state, later.
     #[inline]
-    pub fn draw_triangle(&mut self, [a, b, c]: [&Vertex; 3], cull: Cull) {
-        self.draw_triangle_made(cull, || [*a, *b, *c]);
+    pub fn draw_triangle(&mut self, corners: [&Vertex; 3], cull: Cull) {
+        self.draw_triangle_made(cull, |i| *corners[i]);
     }
 
-    /// The same with corners that are made when it is clear that they are needed.
+    /// The same with corners, 0 to 2, that are made where they are kept.
     #[inline(always)]
-    pub fn draw_triangle_made(&mut self, cull: Cull, corners: impl FnOnce() -> [Vertex; 3]) {
+    pub fn draw_triangle_made(&mut self, cull: Cull, corner: impl Fn(usize) -> Vertex) {
         let Some(state) = self.use_state() else { return };
-        let index = self.arena.triangles.push(state, cull, &corners());
+        let index = self.arena.triangles.push(state, cull, corner);
         self.arena.commands.push(Command::Triangle(index));
     }
 

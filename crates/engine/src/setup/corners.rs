@@ -43,25 +43,18 @@ impl Default for CornerBlock {
 }
 
 impl CornerBlock {
+    /// Writes a corner of a triangle, with the texture coordinates of `units` units.
     #[inline(always)]
-    fn put(&mut self, lane: usize, state: UsedState, cull: Cull, corners: &[Vertex; 3]) {
-        let lane = lane % BLOCK;
-        self.state[lane] = state.index as i32;
-        self.cull[lane] = cull as i32;
-        for (i, v) in corners.iter().enumerate() {
-            let fixed = [v.x, v.y, v.r, v.g, v.b, v.a, v.z, v.w];
-            for (field, value) in self.fields[..FIXED].iter_mut().zip(fixed) {
-                field[i][lane] = value;
-            }
+    fn put(&mut self, lane: usize, corner: usize, units: usize, v: &Vertex) {
+        let fixed = [v.x, v.y, v.r, v.g, v.b, v.a, v.z, v.w];
+        for (field, value) in self.fields[..FIXED].iter_mut().zip(fixed) {
+            field[corner][lane] = value;
         }
-        for unit in 0..MAX_TMUS {
-            if unit < state.units {
-                for (i, v) in corners.iter().enumerate() {
-                    let TmuVertex { s, t, w } = v.tmu[unit];
-                    self.fields[tmu_field(unit, 0)][i][lane] = s;
-                    self.fields[tmu_field(unit, 1)][i][lane] = t;
-                    self.fields[tmu_field(unit, 2)][i][lane] = w;
-                }
+        for (unit, TmuVertex { s, t, w }) in v.tmu.iter().enumerate() {
+            if unit < units {
+                self.fields[tmu_field(unit, 0)][corner][lane] = *s;
+                self.fields[tmu_field(unit, 1)][corner][lane] = *t;
+                self.fields[tmu_field(unit, 2)][corner][lane] = *w;
             }
         }
     }
@@ -123,15 +116,21 @@ pub(crate) struct CornerBlocks {
 }
 
 impl CornerBlocks {
-    /// Adds a triangle, and returns its index.
+    /// Adds a triangle of corners 0 to 2, and returns its index.
     #[inline(always)]
-    pub fn push(&mut self, state: UsedState, cull: Cull, corners: &[Vertex; 3]) -> u32 {
+    pub fn push(&mut self, state: UsedState, cull: Cull, corner: impl Fn(usize) -> Vertex) -> u32 {
         let index = self.used;
         if index / BLOCK == self.list.len() {
             self.grow();
         }
         self.used += 1;
-        self.list[index / BLOCK].put(index, state, cull, corners);
+        let (block, lane) = (&mut self.list[index / BLOCK], index % BLOCK);
+        block.state[lane] = state.index as i32;
+        block.cull[lane] = cull as i32;
+        // One after the other, so that each one's values fit into registers.
+        block.put(lane, 0, state.units, &corner(0));
+        block.put(lane, 1, state.units, &corner(1));
+        block.put(lane, 2, state.units, &corner(2));
         index as u32
     }
 

@@ -3,7 +3,7 @@
 use fillrate_engine::Cull;
 
 use crate::board::Board;
-use crate::vertex::GrVertex;
+use crate::vertex::{GrVertex, VertexRules};
 
 impl Board {
     /// The culling mode as the engine knows it.
@@ -23,11 +23,17 @@ impl Board {
         }
         let cull = self.cull();
         if self.stipples_in_pieces() {
-            let [a, b, c] = self.rules.convert_all(corners);
+            let [a, b, c] = corners.map(|v| self.rules.convert(v));
             return self.draw_triangle_stippled([&a, &b, &c], cull);
         }
+        // Most often nothing has to be asked for each corner.
+        if self.rules == VertexRules::PLAIN {
+            return self
+                .device
+                .draw_triangle_made(cull, |i| VertexRules::PLAIN.convert(corners[i]));
+        }
         let rules = &self.rules;
-        self.device.draw_triangle_made(cull, || rules.convert_all(corners));
+        self.device.draw_triangle_made(cull, |i| rules.convert(corners[i]));
     }
 }
 

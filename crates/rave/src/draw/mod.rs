@@ -88,7 +88,7 @@ impl Pen<'_> {
         if is_extended {
             self.painter.extended(corners);
         } else {
-            self.painter.triangle(|| corners.map(|corner| corner.vertex));
+            self.painter.triangle(|i| corners[i].vertex);
         }
     }
 }

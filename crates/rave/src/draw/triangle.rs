@@ -36,8 +36,7 @@ impl Pen<'_> {
             let corners = v.map(|v| Corner { vertex: prepared.gouraud(v), extra: extra(v) });
             return self.add(corners, is_extended);
         }
-        let [a, b, c] = v;
-        self.painter.triangle(|| [prepared.gouraud(a), prepared.gouraud(b), prepared.gouraud(c)]);
+        self.painter.triangle(|i| prepared.gouraud(v[i]));
     }
 
     /// `QADrawTriTexture`; `at` says which of the multi-texture parameters are
@@ -57,11 +56,10 @@ impl Pen<'_> {
         self.choose(&variant);
         let Some(prepared) = self.context.prepared.as_deref() else { return };
         let Some(bound) = &prepared.bound[0] else { return };
-        let [a, b, c] = v;
         self.painter.triangle(
             // Otherwise they are made elsewhere, and copied.
             #[inline(always)]
-            || [prepared.usual(a, bound), prepared.usual(b, bound), prepared.usual(c, bound)],
+            |i| prepared.usual(v[i], bound),
         );
     }
 
