@@ -11,8 +11,8 @@ use fillrate_simd::Simd;
 
 use crate::device::arena::{Arena, BatchState, Command, Run};
 use crate::setup::{
-    CornerBlock, Edge, Extra, ExtraNeeds, Fate, Launch, Many, RawShape, Screen, Shape, Sorted,
-    Triangle, Triangles, Values, VeriteExtra, VeriteSorted, VeriteVertex, prepare, prepare_extra,
+    Edge, Extra, ExtraNeeds, Fate, Lane, Launch, Many, RawShape, Screen, Shape, Sorted, Triangle,
+    Triangles, Values, VeriteExtra, VeriteSorted, VeriteVertex, prepare, prepare_extra,
     prepare_palette, prepare_raw, set_up, set_up_verite, verite_extra,
 };
 use crate::state::Rect;
@@ -182,23 +182,22 @@ impl Chunk {
         index: u32,
         grid: &Grid,
     ) {
-        let (block, at) = arena.triangles.get(index);
-        let (state, lane) = (block.state(at), at % S::LANES);
+        let corners = arena.triangles.get(index);
+        let (state, lane) = (corners.state(), index as usize % S::LANES);
         let batch = &*states[state as usize];
         if S::ONE_BY_ONE {
-            return self.single(batch, block, at, grid);
+            return self.single(batch, &corners, grid);
         }
         let together = Some((index / S::LANES as u32, state));
         if self.together != together {
             self.together = together;
-            let (screen, units) = (&batch.screen, batch.pipeline.unit_count);
-            self.many.set_up(s, block, at - lane, screen, units);
+            self.many.set_up(s, &corners, &batch.screen, batch.pipeline.unit_count);
         }
         if self.many.fate(lane) != Fate::Drawn {
             return;
         }
         if !self.many.is_plain(lane) || batch.screen.scale > 1 || batch.pipeline.needs.extra.any() {
-            return self.single(batch, block, at, grid);
+            return self.single(batch, &corners, grid);
         }
         self.counters.triangles_drawn += 1;
         let entry = Entry::Triangle(self.triangles.list.len() as u32);
@@ -209,14 +208,14 @@ impl Chunk {
 
     /// Sets a triangle up by itself.
     #[inline(always)]
-    fn single(&mut self, batch: &BatchState, block: &CornerBlock, at: usize, grid: &Grid) {
-        let (corners, units) = (block.corners(at), batch.pipeline.unit_count);
-        let sorted = Sorted::new(corners.each_ref(), block.cull(at));
+    fn single(&mut self, batch: &BatchState, corners: &Lane<'_>, grid: &Grid) {
+        let units = batch.pipeline.unit_count;
+        let sorted = Sorted::new(corners, corners.cull());
         if sorted.fate == Fate::Drawn {
             self.counters.triangles_drawn += 1;
             let mut launch = Launch::default();
-            set_up(&corners, &sorted, units, &mut launch);
-            self.launch(batch, &launch, Extra::none, units.max(1), block.state(at), grid);
+            set_up(corners, &sorted, units, &mut launch);
+            self.launch(batch, &launch, Extra::none, units.max(1), corners.state(), grid);
         }
     }
 

@@ -2,6 +2,8 @@
 //! triangle, so that set-up loads many triangles at once and a batch holds only
 //! what its states read.
 
+use super::launch::{GROUP, NARROW};
+use super::sst1::Corners;
 use super::{Cull, TmuVertex, Vertex};
 use crate::state::MAX_TMUS;
 
@@ -58,46 +60,58 @@ impl CornerBlock {
             }
         }
     }
+}
 
-    /// The corners of one triangle; those of units that its state does not read
-    /// are any.
-    pub fn corners(&self, lane: usize) -> [Vertex; 3] {
-        let get = |field: usize, corner: usize| self.fields[field][corner][lane];
-        core::array::from_fn(|i| Vertex {
-            x: get(X, i),
-            y: get(Y, i),
-            r: get(RED, i),
-            g: get(RED + 1, i),
-            b: get(RED + 2, i),
-            a: get(RED + 3, i),
-            z: get(RED + 4, i),
-            w: get(W, i),
-            tmu: core::array::from_fn(|unit| TmuVertex {
-                s: get(tmu_field(unit, 0), i),
-                t: get(tmu_field(unit, 1), i),
-                w: get(tmu_field(unit, 2), i),
-            }),
-        })
-    }
+/// A triangle of a block.
+pub(crate) struct Lane<'a>(pub &'a CornerBlock, pub usize);
 
-    /// The index of a triangle's draw state.
+impl Lane<'_> {
+    /// The index of its draw state.
     #[inline(always)]
-    pub fn state(&self, lane: usize) -> u32 {
-        self.state[lane] as u32
+    pub fn state(&self) -> u32 {
+        self.0.state[self.1] as u32
     }
 
-    /// Which way of facing drops a triangle.
-    pub fn cull(&self, lane: usize) -> Cull {
-        match self.cull[lane] {
+    /// Which way of facing drops it.
+    #[inline(always)]
+    pub fn cull(&self) -> Cull {
+        match self.0.cull[self.1] {
             CULL_NEGATIVE => Cull::Negative,
             CULL_POSITIVE => Cull::Positive,
             _ => Cull::Disabled,
         }
     }
+
+    #[inline(always)]
+    fn get(&self, field: usize, corner: usize) -> f32 {
+        self.0.fields[field][corner][self.1]
+    }
 }
 
-pub(super) const CULL_NEGATIVE: i32 = Cull::Negative as i32;
-pub(super) const CULL_POSITIVE: i32 = Cull::Positive as i32;
+impl Corners for Lane<'_> {
+    #[inline(always)]
+    fn place(&self, corner: usize) -> [f32; 2] {
+        [self.get(X, corner), self.get(Y, corner)]
+    }
+
+    #[inline(always)]
+    fn narrow(&self, corner: usize) -> [f32; NARROW] {
+        let get = |i: usize| self.get(RED + i, corner);
+        [get(0), get(1), get(2), get(3), get(4), 0.0, 0.0, 0.0]
+    }
+
+    #[inline(always)]
+    fn wide(&self, corner: usize, unit: usize) -> [f32; GROUP] {
+        let get = |param: usize| self.get(tmu_field(unit, param), corner);
+        match unit {
+            0 => [self.get(W, corner), get(0), get(1), get(2)],
+            _ => [get(0), get(1), get(2), 0.0],
+        }
+    }
+}
+
+const CULL_NEGATIVE: i32 = Cull::Negative as i32;
+const CULL_POSITIVE: i32 = Cull::Positive as i32;
 
 /// A draw state in use.
 #[derive(Clone, Copy, Debug)]
@@ -140,10 +154,9 @@ impl CornerBlocks {
         self.list.resize_with(self.list.len() + more, Default::default);
     }
 
-    /// The block of a triangle, and the triangle's lane.
     #[inline(always)]
-    pub fn get(&self, index: u32) -> (&CornerBlock, usize) {
-        (&self.list[index as usize / BLOCK], index as usize % BLOCK)
+    pub fn get(&self, index: u32) -> Lane<'_> {
+        Lane(&self.list[index as usize / BLOCK], index as usize % BLOCK)
     }
 
     pub fn clear(&mut self) {

@@ -12,7 +12,7 @@ mod sst1;
 mod verite;
 mod vertex;
 
-pub(crate) use corners::{CornerBlock, CornerBlocks, UsedState};
+pub(crate) use corners::{CornerBlocks, Lane, UsedState};
 pub(crate) use extra::{BASE, Extra, ExtraNeeds, SPECULAR};
 pub(crate) use launch::{Launch, Z};
 pub(crate) use many::Many;

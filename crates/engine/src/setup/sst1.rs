@@ -39,13 +39,14 @@ struct Deltas {
 }
 
 impl Deltas {
+    /// From x and y of sorted corners.
     #[inline(always)]
-    fn new([a, b, c]: [&Vertex; 3], inverse: f32) -> Deltas {
+    fn new([a, b, c]: [[f32; 2]; 3], inverse: f32) -> Deltas {
         Deltas {
-            dx_ab: (a.x - b.x) * inverse,
-            dy_ab: (a.y - b.y) * inverse,
-            dx_bc: (b.x - c.x) * inverse,
-            dy_bc: (b.y - c.y) * inverse,
+            dx_ab: (a[0] - b[0]) * inverse,
+            dy_ab: (a[1] - b[1]) * inverse,
+            dx_bc: (b[0] - c[0]) * inverse,
+            dy_bc: (b[1] - c[1]) * inverse,
         }
     }
 
@@ -120,13 +121,13 @@ pub(crate) enum Fate {
 ///
 /// Source: G246, triangle set-up; SST1, triangle registers.
 pub fn triangle(vertices: [&Vertex; 3], cull: Cull, units: usize) -> Outcome {
-    let sorted = Sorted::new(vertices, cull);
+    let sorted = Sorted::new(&vertices, cull);
     match sorted.fate {
         Fate::Empty => Outcome::Empty,
         Fate::Culled => Outcome::Culled,
         Fate::Drawn => {
             let mut launch = Launch::default();
-            set_up(&vertices.map(|v| *v), &sorted, units, &mut launch);
+            set_up(&vertices, &sorted, units, &mut launch);
             Outcome::Drawn(launch.registers(units))
         }
     }
@@ -156,7 +157,8 @@ fn extend(registers: &mut Registers, vertices: [&Vertex; 3], extras: [&VertexExt
         let ([r, g, b], [u, v, w]) = (extra.specular, extra.base);
         [r, g, b, extra.fog, u, v, w]
     });
-    let steps = Deltas::new(vertices, 1.0 / area).gradients(colors);
+    let places = vertices.map(|v| [v.x, v.y]);
+    let steps = Deltas::new(places, 1.0 / area).gradients(colors);
     let [start, dx, dy] = [colors[0], steps[0], steps[1]].map(fixed::twelve_bits);
     let param = |i: usize| Param { start: start[i], dx: dx[i], dy: dy[i] };
     registers.specular = [0, 1, 2, 3].map(param);
@@ -179,6 +181,40 @@ fn deep_param(vertices: [&Vertex; 3], extras: [&VertexExtra; 3]) -> WideParam {
     }
 }
 
+/// A triangle's corners as set-up reads them: numbers 0 to 2.
+pub(crate) trait Corners {
+    /// x and y.
+    fn place(&self, corner: usize) -> [f32; 2];
+    /// Colours and z. The last three lanes mean nothing.
+    fn narrow(&self, corner: usize) -> [f32; NARROW];
+    /// A unit's group of 64-bit parameters; see [`Launch`].
+    fn wide(&self, corner: usize, unit: usize) -> [f32; GROUP];
+}
+
+impl Corners for [&Vertex; 3] {
+    #[inline(always)]
+    fn place(&self, corner: usize) -> [f32; 2] {
+        [self[corner].x, self[corner].y]
+    }
+
+    #[inline(always)]
+    fn narrow(&self, corner: usize) -> [f32; NARROW] {
+        let v = self[corner];
+        [v.r, v.g, v.b, v.a, v.z, 0.0, 0.0, 0.0]
+    }
+
+    #[inline(always)]
+    fn wide(&self, corner: usize, unit: usize) -> [f32; GROUP] {
+        let v = self[corner];
+        let [t0, t1, t2] = &v.tmu;
+        match unit {
+            0 => [v.w, t0.s, t0.t, t0.w],
+            1 => [t1.s, t1.t, t1.w, 0.0],
+            _ => [t2.s, t2.t, t2.w, 0.0],
+        }
+    }
+}
+
 /// A triangle's corners by rising y, and its area.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Sorted {
@@ -192,11 +228,12 @@ pub(crate) struct Sorted {
 
 impl Sorted {
     #[inline(always)]
-    pub fn new(vertices: [&Vertex; 3], cull: Cull) -> Sorted {
-        let (order, odd) = sort([vertices[0].y, vertices[1].y, vertices[2].y]);
-        let [a, b, c] = order.map(|i| vertices[i]);
-        let (dx_ab, dy_ab) = (a.x - b.x, a.y - b.y);
-        let (dx_bc, dy_bc) = (b.x - c.x, b.y - c.y);
+    pub fn new(corners: &impl Corners, cull: Cull) -> Sorted {
+        let places = [corners.place(0), corners.place(1), corners.place(2)];
+        let (order, odd) = sort(places.map(|[_, y]| y));
+        let [a, b, c] = order.map(|i| places[i]);
+        let (dx_ab, dy_ab) = (a[0] - b[0], a[1] - b[1]);
+        let (dx_bc, dy_bc) = (b[0] - c[0], b[1] - c[1]);
         let area = dx_ab * dy_bc - dx_bc * dy_ab;
         let negative = area < 0.0;
         let culled = match cull {
@@ -215,12 +252,13 @@ impl Sorted {
 
 /// [`triangle`], into lanes, of corners that are drawn.
 #[inline(always)]
-pub(crate) fn set_up(vertices: &[Vertex; 3], sorted: &Sorted, units: usize, out: &mut Launch) {
-    let [a, b, c] = sorted.order.map(|i| &vertices[usize::from(i)]);
-    let deltas = Deltas::new([a, b, c], sorted.inverse);
+pub(crate) fn set_up(corners: &impl Corners, sorted: &Sorted, units: usize, out: &mut Launch) {
+    let [a, b, c] = sorted.order.map(usize::from);
+    let places = [corners.place(a), corners.place(b), corners.place(c)];
+    let deltas = Deltas::new(places, sorted.inverse);
     out.negative = sorted.negative;
-    coordinates([a, b, c], out);
-    let narrow = [narrow_lanes(a), narrow_lanes(b), narrow_lanes(c)];
+    coordinates(places, out);
+    let narrow = [corners.narrow(a), corners.narrow(b), corners.narrow(c)];
     let [dx, dy] = deltas.gradients(narrow);
     out.narrow = Params {
         start: fixed::twelve_bits(narrow[0]),
@@ -228,33 +266,15 @@ pub(crate) fn set_up(vertices: &[Vertex; 3], sorted: &Sorted, units: usize, out:
         dy: fixed::twelve_bits(dy),
     };
     for (unit, out) in out.wide.iter_mut().enumerate().take(units.clamp(1, MAX_TMUS)) {
-        let wide = [wide_lanes(a, unit), wide_lanes(b, unit), wide_lanes(c, unit)];
+        let wide = [corners.wide(a, unit), corners.wide(b, unit), corners.wide(c, unit)];
         let [dx, dy] = deltas.gradients(wide);
         out.convert([wide[0], dx, dy]);
     }
 }
 
 #[inline(always)]
-fn coordinates([a, b, c]: [&Vertex; 3], out: &mut Launch) {
-    let [ax, bx, cx, ay, by, cy, ..] = fixed::coordinates([a.x, b.x, c.x, a.y, b.y, c.y, 0.0, 0.0]);
+fn coordinates([[ax, ay], [bx, by], [cx, cy]]: [[f32; 2]; 3], out: &mut Launch) {
+    let [ax, bx, cx, ay, by, cy, ..] = fixed::coordinates([ax, bx, cx, ay, by, cy, 0.0, 0.0]);
     out.x = [ax, bx, cx];
     out.y = [ay, by, cy];
-}
-
-/// Colours and z. The last three lanes mean nothing; they are what follows in
-/// a vertex, so that one load serves.
-#[inline(always)]
-fn narrow_lanes(v: &Vertex) -> [f32; NARROW] {
-    [v.r, v.g, v.b, v.a, v.z, v.w, v.tmu[0].s, v.tmu[0].t]
-}
-
-/// A unit's group of 64-bit parameters; see [`Launch`].
-#[inline(always)]
-fn wide_lanes(v: &Vertex, unit: usize) -> [f32; GROUP] {
-    let [t0, t1, t2] = &v.tmu;
-    match unit {
-        0 => [v.w, t0.s, t0.t, t0.w],
-        1 => [t1.s, t1.t, t1.w, t2.s],
-        _ => [t2.s, t2.t, t2.w, t2.w],
-    }
 }

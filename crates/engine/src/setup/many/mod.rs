@@ -11,7 +11,7 @@ mod sst1;
 use fillrate_simd::{MaskLanes, Simd};
 
 use self::planes::Corrected;
-use super::corners::{BLOCK, CornerBlock};
+use super::corners::{BLOCK, Lane};
 use super::launch::{GROUP, Params, wide_lane};
 use super::planes::{COORDINATE_LIMIT, ExactGroup, Narrow, SHIFTS, Screen, W_LIMIT};
 use super::sst1::Fate;
@@ -78,18 +78,12 @@ impl Default for Many {
 }
 
 impl Many {
-    /// Sets the triangles of a block up from lane `first` on, as if all were of a
+    /// Sets the triangles of the vector up that `one` lies in, as if all were of a
     /// state that reads `units` texture units.
     #[inline(always)]
-    pub fn set_up<S: Simd>(
-        &mut self,
-        s: S,
-        block: &CornerBlock,
-        first: usize,
-        screen: &Screen,
-        units: usize,
-    ) {
-        let sorted = sst1::Sorted::new(s, block, first);
+    pub fn set_up<S: Simd>(&mut self, s: S, one: &Lane<'_>, screen: &Screen, units: usize) {
+        let Lane(block, lane) = *one;
+        let sorted = sst1::Sorted::new(s, block, lane - lane % S::LANES);
         (self.drawn, self.culled) = (sorted.drawn, sorted.culled);
         self.prepare(s, &sorted, screen, [units, units.max(1)]);
     }
