@@ -201,7 +201,7 @@ impl Chunk {
         }
         self.counters.triangles_drawn += 1;
         let entry = Entry::Triangle(self.triangles.list.len() as u32);
-        if let Some(triangle) = self.many.push(lane, state, &mut self.triangles) {
+        if let Some(triangle) = self.many.push(s, lane, state, &mut self.triangles) {
             add_edges(&mut self.pairs, &triangle.bounds, triangle_edges(triangle), entry, grid);
         }
     }

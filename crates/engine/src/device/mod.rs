@@ -256,7 +256,7 @@ impl Device {
     #[inline(always)]
     pub fn draw_triangle_made(&mut self, cull: Cull, corner: impl Fn(usize) -> Vertex) {
         let Some(state) = self.use_state() else { return };
-        let index = self.arena.triangles.push(state, cull, corner);
+        let index = self.arena.triangles.push(self.config.level, state, cull, corner);
         self.arena.commands.push(Command::Triangle(index));
     }
 

@@ -86,6 +86,20 @@ impl Target<'_> {
         }
     }
 
+    /// Tells the processor that a triangle's first stamp is needed soon: the tile's
+    /// pixels have been in this core's cache for the batch before, if at all.
+    #[inline(always)]
+    fn prefetch(&self, triangles: &Triangles, index: u32, bits: u32) {
+        let Some(triangle) = triangles.list.get(index as usize) else { return };
+        let x = triangle.bounds.x0.max(self.rect.x0) - self.rect.x0;
+        let y = triangle.bounds.y0.max(self.rect.y0) - self.rect.y0;
+        let at = stamp_index(x & !3, y & !3, bits);
+        self.color.prefetch(at);
+        if let Some(aux) = &self.aux {
+            aux.prefetch(at);
+        }
+    }
+
     /// The aux elements; none where there is no aux surface. They must be
     /// materialized.
     fn aux(&mut self) -> &mut [u16] {
@@ -155,6 +169,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
                 }
                 if let Some(Entry::Triangle(next)) = entries.get(i + PLANES_AHEAD) {
                     chunk.triangles.prefetch_planes(*next);
+                    target.prefetch(&chunk.triangles, *next, self.grid.bits);
                 }
                 match *entry {
                     Entry::Triangle(i) => self.triangle(chunk, i, &mut target),

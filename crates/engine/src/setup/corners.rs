@@ -2,6 +2,8 @@
 //! triangle, so that set-up loads many triangles at once and a batch holds only
 //! what its states read.
 
+use fillrate_simd::{Level, prefetch_write};
+
 use super::launch::{GROUP, NARROW};
 use super::sst1::Corners;
 use super::{Cull, TmuVertex, Vertex};
@@ -26,25 +28,42 @@ pub(super) const fn tmu_field(unit: usize, param: usize) -> usize {
     FIXED + 3 * unit + param
 }
 
+/// What a block's triangles are besides corners.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Marks {
+    /// Index of the draw state.
+    pub state: [i32; BLOCK],
+    /// The [`Cull`] as an integer.
+    pub cull: [i32; BLOCK],
+}
+
 /// Corners of sixteen triangles.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct CornerBlock {
-    /// Index of each triangle's draw state.
-    pub(super) state: [i32; BLOCK],
-    /// Each one's [`Cull`] as an integer.
-    pub(super) cull: [i32; BLOCK],
+    pub(super) marks: Marks,
     pub(super) fields: [Field; FIXED + 3 * MAX_TMUS],
 }
 
 impl Default for CornerBlock {
     fn default() -> CornerBlock {
         let fields = [Field::default(); FIXED + 3 * MAX_TMUS];
-        CornerBlock { state: [0; BLOCK], cull: [0; BLOCK], fields }
+        CornerBlock { marks: Marks::default(), fields }
     }
 }
 
 impl CornerBlock {
+    /// Tells the processor that a part of a block is written soon: all of it, once it
+    /// was told for every lane.
+    #[inline(always)]
+    fn prefetch(&mut self, level: Level, lane: usize, units: usize) {
+        match self.fields.get_mut(lane) {
+            Some(field) if lane < tmu_field(units, 0) => prefetch_write(level, field),
+            Some(_) => prefetch_write(level, &mut self.marks),
+            None => {}
+        }
+    }
+
     /// Writes a corner of a triangle, with the texture coordinates of `units` units.
     #[inline(always)]
     fn put(&mut self, lane: usize, corner: usize, units: usize, v: &Vertex) {
@@ -69,13 +88,13 @@ impl Lane<'_> {
     /// The index of its draw state.
     #[inline(always)]
     pub fn state(&self) -> u32 {
-        self.0.state[self.1] as u32
+        self.0.marks.state[self.1] as u32
     }
 
     /// Which way of facing drops it.
     #[inline(always)]
     pub fn cull(&self) -> Cull {
-        match self.0.cull[self.1] {
+        match self.0.marks.cull[self.1] {
             CULL_NEGATIVE => Cull::Negative,
             CULL_POSITIVE => Cull::Positive,
             _ => Cull::Disabled,
@@ -132,15 +151,25 @@ pub(crate) struct CornerBlocks {
 impl CornerBlocks {
     /// Adds a triangle of corners 0 to 2, and returns its index.
     #[inline(always)]
-    pub fn push(&mut self, state: UsedState, cull: Cull, corner: impl Fn(usize) -> Vertex) -> u32 {
+    pub fn push(
+        &mut self,
+        level: Level,
+        state: UsedState,
+        cull: Cull,
+        corner: impl Fn(usize) -> Vertex,
+    ) -> u32 {
         let index = self.used;
         if index / BLOCK == self.list.len() {
             self.grow();
         }
         self.used += 1;
+        // What is written next was read by another core for the batch before last.
+        if let Some(next) = self.list.get_mut(index / BLOCK + 1) {
+            next.prefetch(level, index % BLOCK, state.units);
+        }
         let (block, lane) = (&mut self.list[index / BLOCK], index % BLOCK);
-        block.state[lane] = state.index as i32;
-        block.cull[lane] = cull as i32;
+        block.marks.state[lane] = state.index as i32;
+        block.marks.cull[lane] = cull as i32;
         // One after the other, so that each one's values fit into registers.
         block.put(lane, 0, state.units, &corner(0));
         block.put(lane, 1, state.units, &corner(1));

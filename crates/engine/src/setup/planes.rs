@@ -1,6 +1,8 @@
 //! From registers to what the tiles iterate: edges and attribute planes in
 //! screen coordinates.
 
+use fillrate_simd::Simd;
+
 use super::extra::{BASE, Extra, ExtraNeeds, SPECULAR};
 use super::launch::{GROUP, Launch, NARROW, Params, wide_lane};
 use crate::fixed::COORD_FRACTION;
@@ -204,6 +206,9 @@ pub(crate) struct Triangles {
     zero: Option<u32>,
 }
 
+/// How many triangles ahead memory is fetched to be written.
+const WRITTEN_AHEAD: usize = 8;
+
 impl Triangles {
     pub fn clear(&mut self) {
         self.zero = None;
@@ -280,6 +285,18 @@ impl Triangles {
     pub fn deep_z(&self, triangle: &Triangle, needs: ExtraNeeds) -> Plane64 {
         let colors = if needs.colors { NARROW / GROUP } else { 0 };
         self.extras[triangle.extra as usize + colors].plane(0)
+    }
+
+    /// Tells the processor which memory is written soon: for the batch before, other
+    /// cores have read half of it.
+    #[inline(always)]
+    pub(super) fn prefetch_next<S: Simd>(&mut self, _: S) {
+        if let Some(place) = self.list.spare_capacity_mut().get_mut(WRITTEN_AHEAD) {
+            fillrate_simd::prefetch_write(S::LEVEL, place);
+        }
+        if let Some(place) = self.exact.spare_capacity_mut().get_mut(WRITTEN_AHEAD) {
+            fillrate_simd::prefetch_write(S::LEVEL, place);
+        }
     }
 
     /// Tells the processor that a triangle is needed soon.

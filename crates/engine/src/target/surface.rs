@@ -84,6 +84,19 @@ impl TileCell {
         TileCell { plane, pending: None, low: 0, high: 0 }
     }
 
+    /// Tells the processor that a stamp is needed soon; `at` is its first element.
+    #[inline(always)]
+    pub fn prefetch(&self, at: usize) {
+        match &self.plane {
+            Plane::Bits16(pixels) => {
+                pixels.get(at).inspect(|pixel| fillrate_simd::prefetch(*pixel));
+            }
+            Plane::Bits32(pixels) => {
+                pixels.get(at).inspect(|pixel| fillrate_simd::prefetch(*pixel));
+            }
+        }
+    }
+
     /// Fills the whole tile, later.
     pub fn clear(&mut self, stamp: [i32; STAMP_PIXELS]) {
         self.pending = Some(stamp);

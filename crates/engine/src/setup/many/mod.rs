@@ -190,8 +190,9 @@ impl Many {
     /// Appends a plain triangle to `out`; `None` where it covers no pixel of the
     /// screen.
     #[inline(always)]
-    pub fn push<'a>(
+    pub fn push<'a, S: Simd>(
         &self,
+        s: S,
         lane: usize,
         state: u32,
         out: &'a mut Triangles,
@@ -200,6 +201,7 @@ impl Many {
         if self.visible >> lane & 1 == 0 {
             return None;
         }
+        out.prefetch_next(s);
         let wide = out.exact.len() as u32;
         for [start, dx, dy] in &self.wide[..self.groups.min(MAX_TMUS)] {
             out.exact.push(ExactGroup { start: start[lane], dx: dx[lane], dy: dy[lane] });

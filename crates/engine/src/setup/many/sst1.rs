@@ -75,7 +75,7 @@ impl<'a, S: Simd> Sorted<'a, S> {
         let negative = area.to_bits().sar(31);
         // The caller's order: -1 where its area is negative.
         let facing = negative ^ (s.splat(0) - code.shr(6));
-        let culled = s.load(&block.cull[first..]).eq(facing + two);
+        let culled = s.load(&block.marks.cull[first..]).eq(facing + two);
         Sorted {
             block,
             first,
