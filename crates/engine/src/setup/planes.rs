@@ -4,7 +4,7 @@
 use fillrate_simd::Simd;
 
 use super::extra::{BASE, Extra, ExtraNeeds, SPECULAR};
-use super::launch::{GROUP, Launch, NARROW, Params, wide_lane};
+use super::launch::{GROUP, Launch, NARROW, Params, Z, wide_lane};
 use crate::fixed::COORD_FRACTION;
 use crate::kernel::texture::lod_base;
 use crate::state::{MAX_TMUS, Origin, Rect};
@@ -50,12 +50,20 @@ impl Edge {
 /// wrapping.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Narrow {
-    pub c: [i32; NARROW],
-    pub dx: [i32; NARROW],
-    pub dy: [i32; NARROW],
+    pub c: [i32; USED],
+    pub dx: [i32; USED],
+    pub dy: [i32; USED],
 }
 
+/// Lanes of them with a meaning.
+pub(super) const USED: usize = Z + 1;
+
 impl Narrow {
+    fn new(params: &Params<[i32; NARROW]>) -> Narrow {
+        let used = |lanes: &[i32; NARROW]| core::array::from_fn(|i| lanes[i]);
+        Narrow { c: used(&params.start), dx: used(&params.dx), dy: used(&params.dy) }
+    }
+
     /// One attribute at a pixel.
     #[inline(always)]
     pub fn value(&self, lane: usize, x: i32, y: i32) -> i32 {
@@ -118,7 +126,7 @@ impl WideGroup {
 }
 
 /// The same of an exact triangle.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct ExactGroup {
     pub start: [f64; GROUP],
     pub dx: [f64; GROUP],
@@ -149,7 +157,10 @@ impl PlaneF {
 }
 
 /// A triangle ready for the tiles. Coordinates are screen pixels.
+///
+/// Four cache lines: half of them come from another core's cache.
 #[derive(Clone, Debug)]
+#[repr(align(64))]
 pub(crate) struct Triangle {
     /// Every covered pixel of the surface lies inside; not empty.
     pub bounds: Rect,
@@ -164,8 +175,8 @@ pub(crate) struct Triangle {
     /// included, and it is so small that 32 bits hold their values at and around
     /// its pixels.
     pub compact: bool,
-    /// First of its groups of 64-bit planes in [`Triangles`], of the exact or of
-    /// the others.
+    /// First of its groups of 64-bit planes in [`Triangles`]: of the exact after
+    /// `first`, or of the others.
     pub(super) wide: u32,
     /// First of its groups of what states read besides.
     pub(super) extra: u32,
@@ -174,7 +185,11 @@ pub(crate) struct Triangle {
     pub edges: [Edge; 3],
     /// Colours and z.
     pub narrow: Narrow,
+    /// The first group of an exact triangle, or anything.
+    pub(super) first: ExactGroup,
 }
+
+const _: () = assert!(size_of::<Triangle>() == 4 * 64);
 
 impl Triangle {
     /// The first pixel of the first stamp that its bounds touch.
@@ -193,7 +208,7 @@ impl Triangle {
 }
 
 /// Triangles ready for the tiles, with their 64-bit planes, a group for each
-/// unit in use and at least one.
+/// unit in use and at least one. The first of an exact triangle is its own.
 #[derive(Debug, Default)]
 pub(crate) struct Triangles {
     pub list: Vec<Triangle>,
@@ -202,8 +217,6 @@ pub(crate) struct Triangles {
     wides: Vec<WideGroup>,
     /// What states read besides.
     pub(super) extras: Vec<WideGroup>,
-    /// The exact group of those whose 64-bit parameters are all zero.
-    zero: Option<u32>,
 }
 
 /// How many triangles ahead memory is fetched to be written.
@@ -211,31 +224,28 @@ const WRITTEN_AHEAD: usize = 8;
 
 impl Triangles {
     pub fn clear(&mut self) {
-        self.zero = None;
         self.list.clear();
         self.exact.clear();
         self.wides.clear();
         self.extras.clear();
     }
 
-    /// The index of an exact group of zeros.
+    /// A group of an exact triangle.
     #[inline(always)]
-    fn zero(&mut self) -> u32 {
-        let next = self.exact.len() as u32;
-        *self.zero.get_or_insert_with(|| {
-            let zeros = [0.0; GROUP];
-            self.exact.push(ExactGroup { start: zeros, dx: zeros, dy: zeros });
-            next
-        })
+    fn exact_group<'a>(&'a self, triangle: &'a Triangle, group: usize) -> &'a ExactGroup {
+        match group {
+            0 => &triangle.first,
+            _ => &self.exact[triangle.wide as usize + group - 1],
+        }
     }
 
     #[inline(always)]
     fn plane(&self, triangle: &Triangle, group: usize, lane: usize) -> Plane64 {
-        let group = triangle.wide as usize + group;
         if triangle.exact {
-            return self.exact[group].plane(lane).integers(triangle.origin());
+            let group = self.exact_group(triangle, group);
+            return group.plane(lane).integers(triangle.origin());
         }
-        self.wides[group].plane(lane)
+        self.wides[triangle.wide as usize + group].plane(lane)
     }
 
     /// w of the pixel pipeline.
@@ -247,7 +257,7 @@ impl Triangles {
     /// The same of an exact triangle.
     #[inline(always)]
     pub fn exact_w(&self, triangle: &Triangle) -> PlaneF {
-        self.exact[triangle.wide as usize].plane(0)
+        triangle.first.plane(0)
     }
 
     /// s, t and w of a unit in use.
@@ -267,7 +277,7 @@ impl Triangles {
     /// s, t and w of a unit of an exact triangle.
     #[inline(always)]
     pub fn exact_unit(&self, triangle: &Triangle, unit: usize) -> [PlaneF; 3] {
-        let group = &self.exact[triangle.wide as usize + unit];
+        let group = self.exact_group(triangle, unit);
         let first = wide_lane(unit, 0).1;
         [group.plane(first), group.plane(first + 1), group.plane(first + 2)]
     }
@@ -307,7 +317,7 @@ impl Triangles {
         }
     }
 
-    /// The same of its planes, once the triangle itself is there.
+    /// The same of its planes besides the first, once the triangle itself is there.
     #[inline(always)]
     pub fn prefetch_planes(&self, index: u32) {
         let Some(triangle) = self.list.get(index as usize) else { return };
@@ -366,9 +376,7 @@ pub(crate) fn prepare<'a>(
     let bounds = bounds(launch, screen)?;
     let planes = Corrected::new(launch, screen, &bounds);
     let (mut wide, mut exact) = (out.exact.len(), true);
-    if groups == 0 {
-        wide = out.zero() as usize;
-    }
+    let mut own = ExactGroup::default();
     let mut lods = [0; MAX_TMUS];
     for (unit, params) in launch.wide.iter().enumerate().take(groups) {
         let limits = match (unit, units) {
@@ -382,7 +390,10 @@ pub(crate) fn prepare<'a>(
             let first = wide_lane(unit, 0).1;
             lods[unit] = level_of_detail(&group.plane(first), &group.plane(first + 1));
         }
-        out.exact.push(group);
+        match unit {
+            0 => own = group,
+            _ => out.exact.push(group),
+        }
     }
     if !exact {
         out.exact.truncate(wide);
@@ -401,7 +412,8 @@ pub(crate) fn prepare<'a>(
         extra: out.extras.len() as u32,
         lod_base: lods,
         edges,
-        narrow: planes.narrow(&launch.narrow),
+        narrow: Narrow::new(&planes.narrow(&launch.narrow)),
+        first: own,
     });
     out.list.last()
 }
@@ -458,11 +470,11 @@ pub(crate) fn prepare_extra(
 }
 
 /// Four 32-bit parameters as a group.
-fn color_group(narrow: &Narrow, first: usize, shift: u32) -> WideGroup {
+fn color_group(narrow: &Params<[i32; NARROW]>, first: usize, shift: u32) -> WideGroup {
     let lanes = |from: &[i32; NARROW]| {
         core::array::from_fn(|i| i64::from(from[first + i].wrapping_shl(shift)))
     };
-    WideGroup { c: lanes(&narrow.c), dx: lanes(&narrow.dx), dy: lanes(&narrow.dy) }
+    WideGroup { c: lanes(&narrow.start), dx: lanes(&narrow.dx), dy: lanes(&narrow.dy) }
 }
 
 /// A triangle's edges, how many are in use, and [`Triangle::compact`].
@@ -581,8 +593,8 @@ impl Corrected {
     }
 
     #[inline(always)]
-    fn narrow(&self, params: &Params<[i32; NARROW]>) -> Narrow {
-        let mut out = Narrow::default();
+    fn narrow(&self, params: &Params<[i32; NARROW]>) -> Params<[i32; NARROW]> {
+        let mut out = Params::<[i32; NARROW]>::default();
         #[allow(clippy::needless_range_loop, reason = "one lane of six arrays")]
         for lane in 0..NARROW {
             let (dx, dy) = (params.dx[lane], params.dy[lane]);
@@ -593,7 +605,7 @@ impl Corrected {
                 .wrapping_add(moved)
                 .wrapping_sub(dx.wrapping_mul(self.x))
                 .wrapping_sub(dy.wrapping_mul(self.y));
-            out.c[lane] = c << SHIFTS[lane];
+            out.start[lane] = c << SHIFTS[lane];
             out.dx[lane] = dx << SHIFTS[lane];
             out.dy[lane] = dy << SHIFTS[lane];
         }

@@ -203,9 +203,13 @@ impl Many {
         }
         out.prefetch_next(s);
         let wide = out.exact.len() as u32;
-        for [start, dx, dy] in &self.wide[..self.groups.min(MAX_TMUS)] {
-            out.exact.push(ExactGroup { start: start[lane], dx: dx[lane], dy: dy[lane] });
-        }
+        let group = |[start, dx, dy]: &[Rows<f64>; 3]| ExactGroup {
+            start: start[lane],
+            dx: dx[lane],
+            dy: dy[lane],
+        };
+        let [first, others @ ..] = &self.wide;
+        out.exact.extend(others[..self.groups.clamp(1, MAX_TMUS) - 1].iter().map(group));
         let [x0, y0, x1, y1] = self.bounds[lane].map(|v| v as u32);
         let edge = |i: usize| {
             let [a, b, c, _] = self.edges[i][lane];
@@ -214,7 +218,7 @@ impl Many {
         let depth = &self.depth[lane];
         let lanes = |i: usize| {
             let [r, g, b, a] = self.colors[i][lane];
-            [r, g, b, a, depth[i], 0, 0, 0]
+            [r, g, b, a, depth[i]]
         };
         out.list.push(Triangle {
             bounds: Rect::new(x0, y0, x1, y1),
@@ -227,6 +231,7 @@ impl Many {
             lod_base: [self.lod_base[0][lane], self.lod_base[1][lane], self.lod_base[2][lane]],
             edges: [edge(0), edge(1), edge(2)],
             narrow: Narrow { c: lanes(0), dx: lanes(1), dy: lanes(2) },
+            first: group(first),
         });
         out.list.last()
     }
