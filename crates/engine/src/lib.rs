@@ -25,6 +25,7 @@ mod error;
 mod kernel;
 mod log2;
 mod raster;
+mod reused;
 mod stats;
 
 pub use device::{ClearValues, Device, DeviceConfig, FlushReason, PixelRun, SurfaceId};

@@ -336,9 +336,9 @@ fn verite<'a>(
     command: &Command,
 ) -> Option<([&'a VeriteVertex; 3], Option<[&'a VeriteExtra; 3]>)> {
     match *command {
-        Command::Verite { vertices, .. } => Some((arena.verites.get(vertices).each_ref(), None)),
+        Command::Verite { vertices, .. } => Some((arena.verites[vertices].each_ref(), None)),
         Command::VeriteExtended { vertices, .. } => {
-            let [a, b, c] = arena.extended_verites.get(vertices);
+            let [a, b, c] = &arena.extended_verites[vertices];
             Some(([&a.0, &b.0, &c.0], Some([&a.1, &b.1, &c.1])))
         }
         _ => None,

@@ -6,6 +6,7 @@ use rustc_hash::FxHashMap;
 
 use super::ClearValues;
 use crate::kernel::Pipeline;
+use crate::reused::Reused;
 use crate::setup::{
     CornerBlocks, PalettePrimitive, RawPrimitive, Registers, Screen, VeriteExtra, VeriteVertex,
 };
@@ -185,45 +186,13 @@ impl core::ops::Index<u32> for States {
     }
 }
 
-/// Corners of triangles. The list keeps its length when it is emptied, so that a
-/// triangle is written where it stays.
-#[derive(Debug, Default)]
-pub(crate) struct Corners<V> {
-    list: Vec<[V; 3]>,
-    used: usize,
-}
-
-impl<V: Default> Corners<V> {
-    /// A place for three corners, and its index.
-    #[inline(always)]
-    pub fn next(&mut self) -> (u32, &mut [V; 3]) {
-        if self.used == self.list.len() {
-            self.grow();
-        }
-        let index = self.used;
-        self.used += 1;
-        (index as u32, &mut self.list[index])
-    }
-
-    #[cold]
-    fn grow(&mut self) {
-        let more = self.list.len().max(64);
-        self.list.resize_with(self.list.len() + more, Default::default);
-    }
-
-    #[inline(always)]
-    pub fn get(&self, index: u32) -> &[V; 3] {
-        &self.list[index as usize]
-    }
-}
-
 /// Commands and their payloads, in submission order.
 #[derive(Debug, Default)]
 pub(crate) struct Arena {
     pub commands: Vec<Command>,
     pub triangles: CornerBlocks,
-    pub verites: Corners<VeriteVertex>,
-    pub extended_verites: Corners<(VeriteVertex, VeriteExtra)>,
+    pub verites: Reused<[VeriteVertex; 3]>,
+    pub extended_verites: Reused<[(VeriteVertex, VeriteExtra); 3]>,
     pub registers: Vec<Registers>,
     pub clears: Vec<Clear>,
     pub runs: Vec<Run>,
@@ -244,7 +213,7 @@ const MAX_PIXELS: usize = 1 << 20;
 impl Arena {
     /// Whether triangles wait for the Vérité's set-up.
     pub fn has_verites(&self) -> bool {
-        self.verites.used + self.extended_verites.used > 0
+        self.verites.len() + self.extended_verites.len() > 0
     }
 
     /// Whether it should be drawn before more is added.
@@ -260,8 +229,8 @@ impl Arena {
     pub fn clear(&mut self) {
         self.commands.clear();
         self.triangles.clear();
-        self.verites.used = 0;
-        self.extended_verites.used = 0;
+        self.verites.clear();
+        self.extended_verites.clear();
         self.registers.clear();
         self.primitives.clear();
         self.raw_primitives.clear();

@@ -280,9 +280,9 @@ impl Device {
     pub fn draw_verite(&mut self) -> Option<&mut [VeriteVertex; 3]> {
         let state = self.use_state()?;
         let Arena { commands, verites, .. } = &mut self.arena;
-        let (vertices, place) = verites.next();
+        let vertices = verites.len() as u32;
         commands.push(Command::Verite { vertices, state: state.index });
-        Some(place)
+        Some(verites.add())
     }
 
     /// The same with what the state reads besides. Texture units after the first
@@ -291,9 +291,9 @@ impl Device {
     pub fn draw_verite_extended(&mut self) -> Option<&mut [(VeriteVertex, VeriteExtra); 3]> {
         let state = self.use_state()?;
         let Arena { commands, extended_verites, .. } = &mut self.arena;
-        let (vertices, place) = extended_verites.next();
+        let vertices = extended_verites.len() as u32;
         commands.push(Command::VeriteExtended { vertices, state: state.index });
-        Some(place)
+        Some(extended_verites.add())
     }
 
     /// Draws a triangle that was set up elsewhere, later. Of its coordinates

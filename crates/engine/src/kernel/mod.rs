@@ -49,7 +49,7 @@ impl Pass<'_> {
     /// The triangle that a slot belongs to.
     #[inline(always)]
     pub fn triangle(&self, slot: &block::Slot) -> &Triangle {
-        &self.triangles.list[slot.triangle as usize]
+        &self.triangles.list[slot.triangle]
     }
 }
 

@@ -264,7 +264,7 @@ impl<'a, S: Simd> TilePainter<'a, S> {
     #[inline(always)]
     fn triangle(&mut self, chunk: &'a Chunk, index: u32, target: &mut Target<'_>) {
         let triangles = &chunk.triangles;
-        let triangle = &triangles.list[index as usize];
+        let triangle = &triangles.list[index];
         let area = triangle.bounds.intersect(&target.rect);
         if area.is_empty() {
             return;

@@ -7,6 +7,7 @@ use fillrate_simd::{Level, prefetch_write};
 use super::launch::{GROUP, NARROW};
 use super::sst1::Corners;
 use super::{Cull, TmuVertex, Vertex};
+use crate::reused::Reused;
 use crate::state::MAX_TMUS;
 
 /// Triangles of a block, the most that set-up takes at once.
@@ -140,11 +141,10 @@ pub(crate) struct UsedState {
     pub units: usize,
 }
 
-/// Triangles in blocks. Their list keeps its length when it is emptied, so that a
-/// triangle is written where it stays.
+/// Triangles in blocks.
 #[derive(Debug, Default)]
 pub(crate) struct CornerBlocks {
-    list: Vec<CornerBlock>,
+    list: Reused<CornerBlock>,
     used: usize,
 }
 
@@ -158,37 +158,33 @@ impl CornerBlocks {
         cull: Cull,
         corner: impl Fn(usize) -> Vertex,
     ) -> u32 {
-        let index = self.used;
-        if index / BLOCK == self.list.len() {
-            self.grow();
+        let (index, lane) = (self.used, self.used % BLOCK);
+        if lane == 0 {
+            self.list.add();
         }
         self.used += 1;
         // What is written next was read by another core for the batch before last.
-        if let Some(next) = self.list.get_mut(index / BLOCK + 1) {
-            next.prefetch(level, index % BLOCK, state.units);
+        if let Some(next) = self.list.ahead(0) {
+            next.prefetch(level, lane, state.units);
         }
-        let (block, lane) = (&mut self.list[index / BLOCK], index % BLOCK);
-        block.marks.state[lane] = state.index as i32;
-        block.marks.cull[lane] = cull as i32;
-        // One after the other, so that each one's values fit into registers.
-        block.put(lane, 0, state.units, &corner(0));
-        block.put(lane, 1, state.units, &corner(1));
-        block.put(lane, 2, state.units, &corner(2));
+        if let Some(block) = self.list.last_mut() {
+            block.marks.state[lane] = state.index as i32;
+            block.marks.cull[lane] = cull as i32;
+            // One after the other, so that each one's values fit into registers.
+            block.put(lane, 0, state.units, &corner(0));
+            block.put(lane, 1, state.units, &corner(1));
+            block.put(lane, 2, state.units, &corner(2));
+        }
         index as u32
-    }
-
-    #[cold]
-    fn grow(&mut self) {
-        let more = self.list.len().max(4);
-        self.list.resize_with(self.list.len() + more, Default::default);
     }
 
     #[inline(always)]
     pub fn get(&self, index: u32) -> Lane<'_> {
-        Lane(&self.list[index as usize / BLOCK], index as usize % BLOCK)
+        Lane(&self.list[index / BLOCK as u32], index as usize % BLOCK)
     }
 
     pub fn clear(&mut self) {
+        self.list.clear();
         self.used = 0;
     }
 }

@@ -7,6 +7,7 @@ use super::extra::{BASE, Extra, ExtraNeeds, SPECULAR};
 use super::launch::{GROUP, Launch, NARROW, Params, Z, wide_lane};
 use crate::fixed::COORD_FRACTION;
 use crate::kernel::texture::lod_base;
+use crate::reused::Reused;
 use crate::state::{MAX_TMUS, Origin, Rect};
 use crate::target::STAMP;
 
@@ -159,7 +160,7 @@ impl PlaneF {
 /// A triangle ready for the tiles. Coordinates are screen pixels.
 ///
 /// Four cache lines: half of them come from another core's cache.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 #[repr(align(64))]
 pub(crate) struct Triangle {
     /// Every covered pixel of the surface lies inside; not empty.
@@ -211,7 +212,7 @@ impl Triangle {
 /// unit in use and at least one. The first of an exact triangle is its own.
 #[derive(Debug, Default)]
 pub(crate) struct Triangles {
-    pub list: Vec<Triangle>,
+    pub list: Reused<Triangle>,
     pub(super) exact: Vec<ExactGroup>,
     /// Of triangles that are not exact.
     wides: Vec<WideGroup>,
@@ -301,7 +302,7 @@ impl Triangles {
     /// cores have read half of it.
     #[inline(always)]
     pub(super) fn prefetch_next<S: Simd>(&mut self, _: S) {
-        if let Some(place) = self.list.spare_capacity_mut().get_mut(WRITTEN_AHEAD) {
+        if let Some(place) = self.list.ahead(WRITTEN_AHEAD) {
             fillrate_simd::prefetch_write(S::LEVEL, place);
         }
         if let Some(place) = self.exact.spare_capacity_mut().get_mut(WRITTEN_AHEAD) {
@@ -402,7 +403,8 @@ pub(crate) fn prepare<'a>(
     }
     let wide = wide as u32;
     let (edges, edge_count, compact) = edges(launch, screen, &bounds);
-    out.list.push(Triangle {
+    let triangle = out.list.add();
+    *triangle = Triangle {
         bounds,
         state,
         edge_count,
@@ -414,8 +416,8 @@ pub(crate) fn prepare<'a>(
         edges,
         narrow: Narrow::new(&planes.narrow(&launch.narrow)),
         first: own,
-    });
-    out.list.last()
+    };
+    Some(triangle)
 }
 
 /// The level of detail at w = 1 of the planes of s and t.

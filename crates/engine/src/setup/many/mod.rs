@@ -8,11 +8,11 @@
 mod planes;
 mod sst1;
 
-use fillrate_simd::{MaskLanes, Simd};
+use fillrate_simd::{IntLanes, MaskLanes, Simd};
 
 use self::planes::Corrected;
 use super::corners::{BLOCK, Lane};
-use super::launch::{GROUP, Params, wide_lane};
+use super::launch::{GROUP, Params, Z, wide_lane};
 use super::planes::{COORDINATE_LIMIT, ExactGroup, Narrow, SHIFTS, Screen, W_LIMIT};
 use super::sst1::Fate;
 use super::{Edge, Triangle, Triangles};
@@ -121,7 +121,8 @@ impl Many {
         s.transpose([bounds.x0, bounds.y0, bounds.x1, bounds.y1], &mut self.bounds);
         for (i, rows) in self.edges.iter_mut().enumerate() {
             let edge = &edges[i];
-            s.transpose([edge.a, edge.b, edge.c, edge.c], rows);
+            // c in 64 bits.
+            s.transpose([edge.a, edge.b, edge.c, edge.c.sar(31)], rows);
         }
         let zero = s.splat(0);
         let mut narrow = [Params { start: zero, dx: zero, dy: zero }; 5];
@@ -210,29 +211,26 @@ impl Many {
         };
         let [first, others @ ..] = &self.wide;
         out.exact.extend(others[..self.groups.clamp(1, MAX_TMUS) - 1].iter().map(group));
+        let extra = out.extras.len() as u32;
+        // Written where it stays: what is copied from parts waits for them.
+        let triangle = out.list.add();
         let [x0, y0, x1, y1] = self.bounds[lane].map(|v| v as u32);
-        let edge = |i: usize| {
-            let [a, b, c, _] = self.edges[i][lane];
-            Edge { a, b, c: i64::from(c) }
-        };
-        let depth = &self.depth[lane];
-        let lanes = |i: usize| {
-            let [r, g, b, a] = self.colors[i][lane];
-            [r, g, b, a, depth[i]]
-        };
-        out.list.push(Triangle {
-            bounds: Rect::new(x0, y0, x1, y1),
-            state,
-            edge_count: 3,
-            exact: true,
-            compact: true,
-            wide,
-            extra: out.extras.len() as u32,
-            lod_base: [self.lod_base[0][lane], self.lod_base[1][lane], self.lod_base[2][lane]],
-            edges: [edge(0), edge(1), edge(2)],
-            narrow: Narrow { c: lanes(0), dx: lanes(1), dy: lanes(2) },
-            first: group(first),
-        });
-        out.list.last()
+        triangle.bounds = Rect::new(x0, y0, x1, y1);
+        (triangle.state, triangle.wide, triangle.extra) = (state, wide, extra);
+        (triangle.edge_count, triangle.exact, triangle.compact) = (3, true, true);
+        for (lod, lods) in triangle.lod_base.iter_mut().zip(&self.lod_base) {
+            *lod = lods[lane];
+        }
+        for (edge, rows) in triangle.edges.iter_mut().zip(&self.edges) {
+            let [a, b, low, high] = rows[lane];
+            *edge = Edge { a, b, c: i64::from(high) << 32 | i64::from(low as u32) };
+        }
+        let Narrow { c, dx, dy } = &mut triangle.narrow;
+        for (i, to) in [c, dx, dy].into_iter().enumerate() {
+            to[..4].copy_from_slice(&self.colors[i][lane]);
+            to[Z] = self.depth[lane][i];
+        }
+        triangle.first = group(first);
+        Some(triangle)
     }
 }
