@@ -175,6 +175,8 @@ pub trait FloatLanes:
     fn lt(self, other: Self) -> Self::M;
     /// Integers as floats.
     fn from_i32(lanes: Self::I) -> Self;
+    /// Lanes of `self` where `mask` is on, of `other` elsewhere.
+    fn select(self, other: Self, mask: Self::M) -> Self;
     /// Without their signs.
     fn abs(self) -> Self;
     /// Rounded towards zero, to a float.

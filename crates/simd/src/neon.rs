@@ -335,6 +335,15 @@ impl FloatLanes for F {
         }
     }
     #[inline(always)]
+    fn select(self, other: F, mask: M) -> F {
+        // SAFETY: NEON.
+        unsafe {
+            let low = vreinterpretq_u64_u32(vzip1q_u32(mask.0, mask.0));
+            let high = vreinterpretq_u64_u32(vzip2q_u32(mask.0, mask.0));
+            F(vbslq_f64(low, self.0, other.0), vbslq_f64(high, self.1, other.1))
+        }
+    }
+    #[inline(always)]
     fn abs(self) -> F {
         // SAFETY: NEON.
         unsafe { F(vabsq_f64(self.0), vabsq_f64(self.1)) }

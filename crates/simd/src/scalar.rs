@@ -274,6 +274,10 @@ impl FloatLanes for F4 {
         F4(lanes.0.map(f64::from))
     }
     #[inline(always)]
+    fn select(self, other: F4, mask: M4) -> F4 {
+        F4(from_fn(|i| if mask.0 >> i & 1 != 0 { self.0[i] } else { other.0[i] }))
+    }
+    #[inline(always)]
     fn abs(self) -> F4 {
         F4(self.0.map(f64::abs))
     }

@@ -305,6 +305,12 @@ impl FloatLanes for F {
         F(f64x2_convert_low_i32x4(lanes.0), f64x2_convert_low_i32x4(high))
     }
     #[inline(always)]
+    fn select(self, other: F, mask: M) -> F {
+        let low = i32x4_shuffle::<0, 0, 1, 1>(mask.0, mask.0);
+        let high = i32x4_shuffle::<2, 2, 3, 3>(mask.0, mask.0);
+        F(v128_bitselect(self.0, other.0, low), v128_bitselect(self.1, other.1, high))
+    }
+    #[inline(always)]
     fn abs(self) -> F {
         F(f64x2_abs(self.0), f64x2_abs(self.1))
     }

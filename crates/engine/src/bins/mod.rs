@@ -4,16 +4,17 @@
 //! triangles up and sort them into tiles; a tile later walks the chunks in
 //! order, so submission order is kept whoever worked on what.
 
+mod triangles;
+
 use core::ops::Range;
 use std::sync::Arc;
 
 use fillrate_simd::Simd;
 
+use self::triangles::{List, Together};
 use crate::device::arena::{Arena, BatchState, Command, Run};
 use crate::setup::{
-    Edge, Extra, ExtraNeeds, Fate, Lane, Launch, Many, RawShape, Screen, Shape, Sorted, Triangle,
-    Triangles, Values, VeriteExtra, VeriteSorted, VeriteVertex, prepare, prepare_extra,
-    prepare_palette, prepare_raw, set_up, set_up_verite, verite_extra,
+    Edge, Many, RawShape, Shape, Triangle, Triangles, Values, prepare_palette, prepare_raw,
 };
 use crate::state::Rect;
 use crate::stats::Counters;
@@ -73,13 +74,9 @@ pub(crate) struct Chunk {
     /// What walks of the Raw profile begin rows of tiles with.
     pub raw_rows: Vec<f32>,
     pub counters: Counters,
-    /// Triangles set up together: the vector of the arena's triangles that they are,
-    /// and their state.
+    /// The triangles that were set up together last, and which they are.
     many: Many,
-    together: Option<(u32, u32)>,
-    /// What is known of each of the Vérité's triangles before its set-up, where the
-    /// arena has some.
-    sorted_verites: Vec<VeriteSorted>,
+    together: Option<Together>,
     pairs: Vec<(u32, Entry)>,
     starts: Vec<u32>,
     entries: Vec<Entry>,
@@ -103,37 +100,21 @@ impl Chunk {
         self.pairs.clear();
         self.counters = Counters::default();
         self.together = None;
-        let mut launch = Launch::default();
         let commands = &arena.commands[commands];
-        self.sort_corners(arena, commands);
-        for (i, command) in commands.iter().enumerate() {
+        for command in commands {
             match *command {
-                Command::Triangle(index) => {
-                    self.counters.triangles_in += 1;
-                    self.triangle(s, arena, states, index, grid);
+                Command::Triangle(index) => self.triangle(s, arena, states, index, grid),
+                Command::Verite { vertices, state } => {
+                    let list = List::Verite(&arena.verites);
+                    self.verite(s, list, vertices, (state, &states[state as usize]), grid);
                 }
-                Command::Verite { state, .. } | Command::VeriteExtended { state, .. } => {
-                    let sorted = self.sorted_verites[i];
-                    self.counters.triangles_in += 1;
-                    let batch = &states[state as usize];
-                    let units = batch.pipeline.unit_count;
-                    if let (true, Some((vertices, extras))) = (sorted.drawn, verite(arena, command))
-                    {
-                        self.counters.triangles_drawn += 1;
-                        set_up_verite(vertices, extras, &sorted, units, &mut launch);
-                        let extra = || verite_extra(vertices, extras, &sorted);
-                        // There is no w of the pixel pipeline.
-                        self.launch(batch, &launch, extra, units, state, grid);
-                    }
+                Command::VeriteExtended { vertices, state } => {
+                    let list = List::Extended(&arena.extended_verites);
+                    self.verite(s, list, vertices, (state, &states[state as usize]), grid);
                 }
                 Command::Launch { registers, state } => {
-                    self.counters.triangles_in += 1;
-                    self.counters.triangles_drawn += 1;
                     let registers = &arena.registers[registers as usize];
-                    let batch = &states[state as usize];
-                    let extra = || Extra::from(registers);
-                    let groups = batch.pipeline.unit_count.max(1);
-                    self.launch(batch, &Launch::from(registers), extra, groups, state, grid);
+                    self.registers(registers, (state, &states[state as usize]), grid);
                 }
                 Command::Palette { primitive, state } => {
                     self.counters.triangles_in += 1;
@@ -155,107 +136,6 @@ impl Chunk {
             }
         }
         self.sort(grid.len());
-    }
-
-    /// Sorts the corners of all triangles and divides by their areas: many at a
-    /// time, since none waits for another one's result.
-    #[inline(always)]
-    fn sort_corners(&mut self, arena: &Arena, commands: &[Command]) {
-        self.sorted_verites.clear();
-        if arena.has_verites() {
-            self.sorted_verites.extend(commands.iter().map(|command| {
-                match verite(arena, command) {
-                    Some((vertices, _)) => VeriteSorted::new(vertices),
-                    None => VeriteSorted::default(),
-                }
-            }));
-        }
-    }
-
-    /// Sets a triangle up, with its neighbours of the same state where it can be.
-    #[inline(always)]
-    fn triangle<S: Simd>(
-        &mut self,
-        s: S,
-        arena: &Arena,
-        states: &[Arc<BatchState>],
-        index: u32,
-        grid: &Grid,
-    ) {
-        let corners = arena.triangles.get(index);
-        let (state, lane) = (corners.state(), index as usize % S::LANES);
-        let batch = &*states[state as usize];
-        if S::ONE_BY_ONE {
-            return self.single(batch, &corners, grid);
-        }
-        let together = Some((index / S::LANES as u32, state));
-        if self.together != together {
-            self.together = together;
-            self.many.set_up(s, &corners, &batch.screen, batch.pipeline.unit_count);
-        }
-        if self.many.fate(lane) != Fate::Drawn {
-            return;
-        }
-        if !self.many.is_plain(lane) || batch.screen.scale > 1 || batch.pipeline.needs.extra.any() {
-            return self.single(batch, &corners, grid);
-        }
-        self.counters.triangles_drawn += 1;
-        let entry = Entry::Triangle(self.triangles.list.len() as u32);
-        if let Some(triangle) = self.many.push(s, lane, state, &mut self.triangles) {
-            add_edges(&mut self.pairs, &triangle.bounds, triangle_edges(triangle), entry, grid);
-        }
-    }
-
-    /// Sets a triangle up by itself.
-    #[inline(always)]
-    fn single(&mut self, batch: &BatchState, corners: &Lane<'_>, grid: &Grid) {
-        let units = batch.pipeline.unit_count;
-        let sorted = Sorted::new(corners, corners.cull());
-        if sorted.fate == Fate::Drawn {
-            self.counters.triangles_drawn += 1;
-            let mut launch = Launch::default();
-            set_up(corners, &sorted, units, &mut launch);
-            self.launch(batch, &launch, Extra::none, units.max(1), corners.state(), grid);
-        }
-    }
-
-    #[inline(always)]
-    fn launch(
-        &mut self,
-        batch: &BatchState,
-        launch: &Launch,
-        extra: impl FnOnce() -> Extra,
-        groups: usize,
-        state: u32,
-        grid: &Grid,
-    ) {
-        let counts = [batch.pipeline.unit_count, groups];
-        let index = self.triangles.list.len() as u32;
-        let screen = &batch.screen;
-        let triangle = if screen.scale == 1 {
-            prepare(launch, screen, state, counts, &mut self.triangles)
-        } else {
-            prepare(&launch.scaled(screen.scale), screen, state, counts, &mut self.triangles)
-        };
-        if triangle.is_none() {
-            return;
-        }
-        let needs = batch.pipeline.needs.extra;
-        if needs.any() {
-            self.extend(launch, &extra(), screen, needs);
-        }
-        let Some(triangle) = self.triangles.list.last() else { return };
-        let entry = Entry::Triangle(index);
-        add_edges(&mut self.pairs, &triangle.bounds, triangle_edges(triangle), entry, grid);
-    }
-
-    /// Adds what a state reads besides to the triangle prepared last.
-    fn extend(&mut self, launch: &Launch, extra: &Extra, screen: &Screen, needs: ExtraNeeds) {
-        if screen.scale == 1 {
-            return prepare_extra(extra, launch, screen, needs, &mut self.triangles);
-        }
-        let (launch, extra) = (launch.scaled(screen.scale), extra.scaled(screen.scale));
-        prepare_extra(&extra, &launch, screen, needs, &mut self.triangles);
     }
 
     fn shape(&mut self, arena: &Arena, primitive: u32, state: u32, grid: &Grid) {
@@ -326,22 +206,6 @@ impl Chunk {
     /// What a tile has to do in this chunk, in order.
     pub fn tile(&self, index: usize) -> &[Entry] {
         &self.entries[self.starts[index] as usize..self.starts[index + 1] as usize]
-    }
-}
-
-/// The vertices of a triangle for the Vérité's set-up.
-#[inline(always)]
-fn verite<'a>(
-    arena: &'a Arena,
-    command: &Command,
-) -> Option<([&'a VeriteVertex; 3], Option<[&'a VeriteExtra; 3]>)> {
-    match *command {
-        Command::Verite { vertices, .. } => Some((arena.verites[vertices].each_ref(), None)),
-        Command::VeriteExtended { vertices, .. } => {
-            let [a, b, c] = &arena.extended_verites[vertices];
-            Some(([&a.0, &b.0, &c.0], Some([&a.1, &b.1, &c.1])))
-        }
-        _ => None,
     }
 }
 

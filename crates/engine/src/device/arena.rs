@@ -211,11 +211,6 @@ pub(super) const MAX_STATES: usize = 1 << 12;
 const MAX_PIXELS: usize = 1 << 20;
 
 impl Arena {
-    /// Whether triangles wait for the Vérité's set-up.
-    pub fn has_verites(&self) -> bool {
-        self.verites.len() + self.extended_verites.len() > 0
-    }
-
     /// Whether it should be drawn before more is added.
     #[inline]
     pub fn is_full(&self) -> bool {

@@ -27,6 +27,6 @@ pub use raw::{RawPrimitive, RawVertex};
 pub use registers::{Param, Registers, WideParam};
 pub use sst1::{Cull, Outcome, extended_triangle, triangle};
 pub(crate) use sst1::{Fate, Sorted, set_up};
+pub(crate) use verite::{VeriteCorners, VeriteSorted, set_up_verite, verite_extra};
 pub use verite::{VeriteExtra, VeriteSlopes, VeriteVertex, verite_triangle};
-pub(crate) use verite::{VeriteSorted, set_up_verite, verite_extra};
 pub use vertex::{TmuVertex, Vertex, VertexExtra};

@@ -1,7 +1,7 @@
 //! From registers to what the tiles iterate: edges and attribute planes in
 //! screen coordinates.
 
-use fillrate_simd::Simd;
+use fillrate_simd::Level;
 
 use super::extra::{BASE, Extra, ExtraNeeds, SPECULAR};
 use super::launch::{GROUP, Launch, NARROW, Params, Z, wide_lane};
@@ -301,12 +301,12 @@ impl Triangles {
     /// Tells the processor which memory is written soon: for the batch before, other
     /// cores have read half of it.
     #[inline(always)]
-    pub(super) fn prefetch_next<S: Simd>(&mut self, _: S) {
+    pub(super) fn prefetch_next(&mut self, level: Level) {
         if let Some(place) = self.list.ahead(WRITTEN_AHEAD) {
-            fillrate_simd::prefetch_write(S::LEVEL, place);
+            fillrate_simd::prefetch_write(level, place);
         }
         if let Some(place) = self.exact.spare_capacity_mut().get_mut(WRITTEN_AHEAD) {
-            fillrate_simd::prefetch_write(S::LEVEL, place);
+            fillrate_simd::prefetch_write(level, place);
         }
     }
 

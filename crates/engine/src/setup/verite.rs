@@ -38,6 +38,8 @@ pub struct VeriteExtra {
 /// Three of each.
 pub(crate) type Vertices<'a> = [&'a VeriteVertex; 3];
 pub(crate) type Extras<'a> = [&'a VeriteExtra; 3];
+/// Three corners, with extras or without.
+pub(crate) type VeriteCorners<'a> = (Vertices<'a>, Option<Extras<'a>>);
 
 /// Differences of three places from one to the next.
 #[inline(always)]
@@ -83,7 +85,7 @@ impl VeriteSlopes {
 }
 
 /// Sixteen of them are a pixel.
-const SIXTEENTHS: f64 = 16.0;
+pub(super) const SIXTEENTHS: f64 = 16.0;
 
 /// Twice the area of a triangle with these differences.
 #[inline(always)]
@@ -93,7 +95,7 @@ fn area([dx_ab, dy_ab, dx_bc, dy_bc]: [f64; 4]) -> f64 {
 
 /// Orders of three vertices by rising y and whether they are odd permutations, by
 /// the comparisons a > b, b > c, a > c as bits 2 to 0. Equal ones keep their order.
-static ORDERS: [([u8; 3], bool); 8] = {
+const ORDERS: [([u8; 3], bool); 8] = {
     const ABC: ([u8; 3], bool) = ([0, 1, 2], false);
     const ACB: ([u8; 3], bool) = ([0, 2, 1], true);
     const CAB: ([u8; 3], bool) = ([2, 0, 1], false);
@@ -101,6 +103,18 @@ static ORDERS: [([u8; 3], bool); 8] = {
     const BCA: ([u8; 3], bool) = ([1, 2, 0], false);
     const CBA: ([u8; 3], bool) = ([2, 1, 0], true);
     [ABC, ABC, ACB, CAB, BAC, BCA, CBA, CBA]
+};
+
+/// The same as integers: the indices two bits each, the lowest first, and bit 6 for
+/// an odd permutation.
+pub(super) static ORDER_CODES: [i32; 16] = {
+    let (mut codes, mut i) = ([0; 16], 0);
+    while i < 16 {
+        let ([a, b, c], odd) = ORDERS[i % 8];
+        codes[i] = (a as i32) | (b as i32) << 2 | (c as i32) << 4 | (odd as i32) << 6;
+        i += 1;
+    }
+    codes
 };
 
 /// A triangle's corners by rising y, and its area.

@@ -291,3 +291,29 @@ fn from_i32_is_exact() {
     let found = compare("from_i32", Run(&values));
     assert!(found.into_iter().eq(values.into_iter().map(f64::from)));
 }
+
+#[test]
+fn select_under_every_mask() {
+    #[derive(Clone, Copy)]
+    struct Run<'a>(&'a [f64]);
+    impl Kernel for Run<'_> {
+        type Output = Vec<f64>;
+        #[inline(always)]
+        fn run<S: Simd>(self, simd: S) -> Vec<f64> {
+            let mut out = vec![0.0; self.0.len()];
+            for at in (0..self.0.len()).step_by(S::LANES) {
+                let lanes = simd.load_f(&self.0[at..]);
+                let bits = (at / MAX_LANES) as u32 >> (at % MAX_LANES);
+                let other = simd.splat_f(0.0) - lanes;
+                simd.store_f(lanes.select(other, simd.mask(bits)), &mut out[at..]);
+            }
+            out
+        }
+    }
+    let values: Vec<f64> = (0..MAX_LANES << MAX_LANES).map(|i| i as f64 + 1.0).collect();
+    let found = compare("select", Run(&values));
+    for (at, (found, value)) in found.into_iter().zip(values).enumerate() {
+        let on = at / MAX_LANES >> (at % MAX_LANES) & 1 != 0;
+        assert_eq!(found, if on { value } else { -value });
+    }
+}

@@ -325,6 +325,18 @@ impl FloatLanes for F {
         }
     }
     #[inline(always)]
+    fn select(self, other: F, mask: M) -> F {
+        // SAFETY: lanes exist only where AVX2 was detected.
+        unsafe {
+            let low = _mm256_cvtepi32_epi64(_mm256_castsi256_si128(mask.0));
+            let high = _mm256_cvtepi32_epi64(_mm256_extracti128_si256::<1>(mask.0));
+            F(
+                _mm256_blendv_pd(other.0, self.0, _mm256_castsi256_pd(low)),
+                _mm256_blendv_pd(other.1, self.1, _mm256_castsi256_pd(high)),
+            )
+        }
+    }
+    #[inline(always)]
     fn abs(self) -> F {
         // SAFETY: lanes exist only where AVX2 was detected.
         unsafe {

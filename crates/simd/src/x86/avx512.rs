@@ -347,6 +347,14 @@ impl FloatLanes for F {
         }
     }
     #[inline(always)]
+    fn select(self, other: F, mask: M) -> F {
+        // SAFETY: lanes exist only where AVX-512 was detected.
+        unsafe {
+            let low = _mm512_mask_blend_pd(mask.0 as u8, other.0, self.0);
+            F(low, _mm512_mask_blend_pd((mask.0 >> 8) as u8, other.1, self.1))
+        }
+    }
+    #[inline(always)]
     fn abs(self) -> F {
         // SAFETY: lanes exist only where AVX-512 was detected.
         unsafe { F(_mm512_abs_pd(self.0), _mm512_abs_pd(self.1)) }

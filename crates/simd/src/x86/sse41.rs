@@ -312,6 +312,15 @@ impl FloatLanes for F {
         }
     }
     #[inline(always)]
+    fn select(self, other: F, mask: M) -> F {
+        // SAFETY: lanes exist only where SSE4.1 was detected.
+        unsafe {
+            let low = _mm_castsi128_pd(_mm_unpacklo_epi32(mask.0, mask.0));
+            let high = _mm_castsi128_pd(_mm_unpackhi_epi32(mask.0, mask.0));
+            F(_mm_blendv_pd(other.0, self.0, low), _mm_blendv_pd(other.1, self.1, high))
+        }
+    }
+    #[inline(always)]
     fn abs(self) -> F {
         // SAFETY: lanes exist only where SSE4.1 was detected.
         unsafe {

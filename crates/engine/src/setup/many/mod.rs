@@ -7,20 +7,67 @@
 
 mod planes;
 mod sst1;
+mod verite;
 
-use fillrate_simd::{IntLanes, MaskLanes, Simd};
+use fillrate_simd::{FloatLanes, IntLanes, MaskLanes, Simd, SingleLanes};
 
 use self::planes::Corrected;
 use super::corners::{BLOCK, Lane};
 use super::launch::{GROUP, Params, Z, wide_lane};
 use super::planes::{COORDINATE_LIMIT, ExactGroup, Narrow, SHIFTS, Screen, W_LIMIT};
 use super::sst1::Fate;
+use super::verite::VeriteCorners;
 use super::{Edge, Triangle, Triangles};
 use crate::kernel::texture::lod_base;
 use crate::state::{MAX_TMUS, Rect};
 
 /// Four values of each triangle.
 type Rows<T> = [[T; 4]; BLOCK];
+
+/// Which corner comes where by rising y: whether it was the second, and the third.
+struct Order<S: Simd>([[S::M; 2]; 3]);
+
+impl<S: Simd> Order<S> {
+    /// From the corners' numbers, two bits each, the lowest corner's first.
+    #[inline(always)]
+    fn new(s: S, code: S::I) -> Self {
+        let (one, two, three) = (s.splat(1), s.splat(2), s.splat(3));
+        let [first, second, third] = [code & three, code.shr(2) & three, code.shr(4) & three];
+        Order([
+            [first.eq(one), first.eq(two)],
+            [second.eq(one), second.eq(two)],
+            [third.eq(one), third.eq(two)],
+        ])
+    }
+
+    /// Corners' values, sorted.
+    #[inline(always)]
+    fn integers(&self, [a, b, c]: [S::I; 3]) -> [S::I; 3] {
+        let [first, second, third] = &self.0;
+        [
+            c.select(b.select(a, first[0]), first[1]),
+            c.select(b.select(a, second[0]), second[1]),
+            c.select(b.select(a, third[0]), third[1]),
+        ]
+    }
+
+    /// The same of floats.
+    #[inline(always)]
+    fn singles(&self, [a, b, c]: [S::G; 3]) -> [S::G; 3] {
+        let [first, second, third] = &self.0;
+        [
+            c.select(b.select(a, first[0]), first[1]),
+            c.select(b.select(a, second[0]), second[1]),
+            c.select(b.select(a, third[0]), third[1]),
+        ]
+    }
+
+    /// The lowest corners' values.
+    #[inline(always)]
+    fn first(&self, [a, b, c]: [S::F; 3]) -> S::F {
+        c.select(b.select(a, self.0[0][0]), self.0[0][1])
+    }
+}
 
 /// Sorted corners' coordinates in lanes: see [`super::Registers`].
 struct Places<S: Simd> {
@@ -36,7 +83,8 @@ trait Source<S: Simd> {
     fn places(&self, s: S) -> (Places<S>, S::M);
     /// Red, green, blue, alpha or z.
     fn narrow(&self, s: S, lane: usize) -> (Params<S::I>, S::M);
-    /// A lane of a group: see [`super::Launch`].
+    /// A lane of a group: see [`super::Launch`]. Those of units after the last one in
+    /// use are not asked for.
     fn wide(&self, s: S, group: usize, lane: usize) -> (Params<S::F>, S::M);
 }
 
@@ -85,6 +133,20 @@ impl Many {
         let Lane(block, lane) = *one;
         let sorted = sst1::Sorted::new(s, block, lane - lane % S::LANES);
         (self.drawn, self.culled) = (sorted.drawn, sorted.culled);
+        self.prepare(s, &sorted, screen, [units, units.max(1)]);
+    }
+
+    /// The same for the Vérité's triangles, of the lanes for which there is one.
+    #[inline(always)]
+    pub fn set_up_verite<'a, S: Simd>(
+        &mut self,
+        s: S,
+        triangle: impl Fn(usize) -> Option<VeriteCorners<'a>>,
+        screen: &Screen,
+        units: usize,
+    ) {
+        let sorted = verite::Sorted::new(s, triangle);
+        (self.drawn, self.culled) = (sorted.drawn, 0);
         self.prepare(s, &sorted, screen, [units, units.max(1)]);
     }
 
@@ -193,7 +255,6 @@ impl Many {
     #[inline(always)]
     pub fn push<'a, S: Simd>(
         &self,
-        s: S,
         lane: usize,
         state: u32,
         out: &'a mut Triangles,
@@ -202,7 +263,7 @@ impl Many {
         if self.visible >> lane & 1 == 0 {
             return None;
         }
-        out.prefetch_next(s);
+        out.prefetch_next(S::LEVEL);
         let wide = out.exact.len() as u32;
         let group = |[start, dx, dy]: &[Rows<f64>; 3]| ExactGroup {
             start: start[lane],

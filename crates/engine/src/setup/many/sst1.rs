@@ -2,7 +2,7 @@
 
 use fillrate_simd::{FloatLanes, IntLanes, MaskLanes, Simd, SingleLanes};
 
-use super::{Places, Source};
+use super::{Order, Places, Source};
 use crate::fixed::{COLOR_FRACTION, COORD_FRACTION, FITS_I32, WIDE_FRACTION, WIDE_LIMIT};
 use crate::setup::corners::{CornerBlock, Field, RED, W, X, Y, tmu_field};
 use crate::setup::launch::Params;
@@ -15,8 +15,7 @@ pub(super) struct Sorted<'a, S: Simd> {
     /// Bit per lane: those with an area, and those that face the wrong way.
     pub drawn: u32,
     pub culled: u32,
-    /// For each sorted corner: whether it was the second, and the third.
-    from: [[S::M; 2]; 3],
+    order: Order<S>,
     negative: S::I,
     /// Deltas of the sorted corners by the area.
     dx_ab: S::G,
@@ -44,29 +43,13 @@ fn load<S: Simd>(s: S, field: &Field, first: usize) -> [S::G; 3] {
     [s.load_g(&field[0][first..]), s.load_g(&field[1][first..]), s.load_g(&field[2][first..])]
 }
 
-/// A field's values, by sorted corner.
-#[inline(always)]
-fn sorted<S: Simd>([a, b, c]: [S::G; 3], from: &[[S::M; 2]; 3]) -> [S::G; 3] {
-    [
-        c.select(b.select(a, from[0][0]), from[0][1]),
-        c.select(b.select(a, from[1][0]), from[1][1]),
-        c.select(b.select(a, from[2][0]), from[2][1]),
-    ]
-}
-
 impl<'a, S: Simd> Sorted<'a, S> {
     #[inline(always)]
     pub fn new(s: S, block: &'a CornerBlock, first: usize) -> Self {
         let (x, y) = (load(s, &block.fields[X], first), load(s, &block.fields[Y], first));
-        let code = order(s, y);
-        let which = [code & s.splat(3), code.shr(2) & s.splat(3), code.shr(4) & s.splat(3)];
-        let (one, two) = (s.splat(1), s.splat(2));
-        let from = [
-            [which[0].eq(one), which[0].eq(two)],
-            [which[1].eq(one), which[1].eq(two)],
-            [which[2].eq(one), which[2].eq(two)],
-        ];
-        let ([ax, bx, cx], [ay, by, cy]) = (sorted::<S>(x, &from), sorted::<S>(y, &from));
+        let code = order_code(s, y);
+        let order = Order::new(s, code);
+        let ([ax, bx, cx], [ay, by, cy]) = (order.singles(x), order.singles(y));
         let (dx_ab, dy_ab, dx_bc, dy_bc) = (ax - bx, ay - by, bx - cx, by - cy);
         let area = dx_ab * dy_bc - dx_bc * dy_ab;
         let inverse = s.splat_g(1.0) / area;
@@ -75,13 +58,13 @@ impl<'a, S: Simd> Sorted<'a, S> {
         let negative = area.to_bits().sar(31);
         // The caller's order: -1 where its area is negative.
         let facing = negative ^ (s.splat(0) - code.shr(6));
-        let culled = s.load(&block.marks.cull[first..]).eq(facing + two);
+        let culled = s.load(&block.marks.cull[first..]).eq(facing + s.splat(2));
         Sorted {
             block,
             first,
             drawn: drawn.bits(),
             culled: culled.bits(),
-            from,
+            order,
             negative,
             dx_ab: dx_ab * inverse,
             dy_ab: dy_ab * inverse,
@@ -94,7 +77,7 @@ impl<'a, S: Simd> Sorted<'a, S> {
     #[inline(always)]
     fn gradients(&self, s: S, field: usize) -> Params<S::G> {
         let values = load(s, &self.block.fields[field], self.first);
-        let [a, b, c] = sorted::<S>(values, &self.from);
+        let [a, b, c] = self.order.singles(values);
         let (d_ab, d_bc) = (a - b, b - c);
         Params {
             start: a,
@@ -106,7 +89,7 @@ impl<'a, S: Simd> Sorted<'a, S> {
 
 /// Codes of the corners' order: see [`ORDER_CODES`].
 #[inline(always)]
-fn order<S: Simd>(s: S, [a, b, c]: [S::G; 3]) -> S::I {
+fn order_code<S: Simd>(s: S, [a, b, c]: [S::G; 3]) -> S::I {
     let (a, b, c) = (order_key::<S>(a), order_key::<S>(b), order_key::<S>(c));
     let index = bit(s, b.gt(a), 8) | bit(s, c.gt(b), 4) | bit(s, b.gt(c), 2) | bit(s, c.gt(a), 1);
     s.lookup16(&ORDER_CODES, index)
@@ -138,8 +121,8 @@ impl<S: Simd> Source<S> for Sorted<'_, S> {
     #[inline(always)]
     fn places(&self, s: S) -> (Places<S>, S::M) {
         let (x, y) = (&self.block.fields[X], &self.block.fields[Y]);
-        let [ax, bx, cx] = sorted::<S>(load(s, x, self.first), &self.from);
-        let [ay, by, cy] = sorted::<S>(load(s, y, self.first), &self.from);
+        let [ax, bx, cx] = self.order.singles(load(s, x, self.first));
+        let [ay, by, cy] = self.order.singles(load(s, y, self.first));
         let ((ax, fits_ax), (ay, fits_ay)) = (coordinate(s, ax), coordinate(s, ay));
         let ((bx, fits_bx), (by, fits_by)) = (coordinate(s, bx), coordinate(s, by));
         let ((cx, fits_cx), (cy, fits_cy)) = (coordinate(s, cx), coordinate(s, cy));
