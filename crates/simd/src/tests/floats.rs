@@ -313,7 +313,7 @@ fn select_under_every_mask() {
     let values: Vec<f64> = (0..MAX_LANES << MAX_LANES).map(|i| i as f64 + 1.0).collect();
     let found = compare("select", Run(&values));
     for (at, (found, value)) in found.into_iter().zip(values).enumerate() {
-        let on = at / MAX_LANES >> (at % MAX_LANES) & 1 != 0;
+        let on = (at / MAX_LANES) >> (at % MAX_LANES) & 1 != 0;
         assert_eq!(found, if on { value } else { -value });
     }
 }

@@ -7,6 +7,8 @@
 
 mod planes;
 mod sst1;
+#[cfg(test)]
+mod tests;
 mod verite;
 
 use fillrate_simd::{FloatLanes, IntLanes, MaskLanes, Simd, SingleLanes};
