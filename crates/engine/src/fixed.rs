@@ -99,7 +99,7 @@ fn scaled<const N: usize>(values: [f32; N], fraction: u32, one: fn(f32) -> i32) 
 }
 
 /// Floats below it in magnitude hold every integer, with room for sums.
-pub(crate) const WIDE_LIMIT: f64 = (1u64 << 51) as f64;
+const WIDE_LIMIT: f64 = (1u64 << 51) as f64;
 
 /// [`wide`] of several values at once, as floats; not-a-number where it is 2^51 or
 /// more in magnitude.

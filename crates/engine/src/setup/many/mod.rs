@@ -87,7 +87,7 @@ trait Source<S: Simd> {
     fn narrow(&self, s: S, lane: usize) -> (Params<S::I>, S::M);
     /// A lane of a group: see [`super::Launch`]. Those of units after the last one in
     /// use are not asked for.
-    fn wide(&self, s: S, group: usize, lane: usize) -> (Params<S::F>, S::M);
+    fn wide(&self, s: S, group: usize, lane: usize) -> Params<S::F>;
 }
 
 /// As many triangles of one state as there are lanes, set up.
@@ -225,9 +225,8 @@ impl Many {
         let lanes = if unit { first + 3 } else { 1 };
         for (lane, params) in params[..lanes].iter_mut().enumerate() {
             let limit = if (first..first + 2).contains(&lane) { COORDINATE_LIMIT } else { W_LIMIT };
-            let (values, valid) = source.wide(s, group, lane);
-            let (plane, exact) = planes.exact(s, values, limit);
-            fits = fits & valid & exact;
+            let (plane, exact) = planes.exact(s, source.wide(s, group, lane), limit);
+            fits = fits & exact;
             *params = plane;
         }
         let [a, b, c, d] = params;

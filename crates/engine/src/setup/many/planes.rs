@@ -213,7 +213,8 @@ impl<S: Simd> Corrected<S> {
         }
         let (across, down) = (dx * ox, dy * oy);
         let corner = start + (sixteenths * s.splat_f(1.0 / 16.0)).floor() + across + down;
-        // Nothing on the way may have been rounded. Not-a-number does not pass.
+        // Nothing on the way may have been rounded, nor may the parameters be so large
+        // that floats do not hold them. Not-a-number does not pass.
         let steps = s.splat_f(16.0) * (dx.abs() + dy.abs());
         let largest = start.abs() + steps + across.abs() + down.abs();
         let value = corner.abs() + (dx * rx).abs() + (dy * ry).abs();

@@ -3,7 +3,7 @@
 use fillrate_simd::{FloatLanes, IntLanes, MaskLanes, Simd, SingleLanes};
 
 use super::{Order, Places, Source};
-use crate::fixed::{COLOR_FRACTION, COORD_FRACTION, FITS_I32, WIDE_FRACTION, WIDE_LIMIT};
+use crate::fixed::{COLOR_FRACTION, COORD_FRACTION, FITS_I32, WIDE_FRACTION};
 use crate::setup::corners::{CornerBlock, Field, RED, W, X, Y, tmu_field};
 use crate::setup::launch::Params;
 use crate::setup::sst1::ORDER_CODES;
@@ -110,11 +110,10 @@ fn coordinate<S: Simd>(s: S, value: S::G) -> (S::I, S::M) {
     (value.shl(16).sar(16), fits)
 }
 
-/// With 32 fraction bits, truncated toward zero, where floats hold it.
+/// With 32 fraction bits, truncated toward zero.
 #[inline(always)]
-fn widened<S: Simd>(s: S, value: S::G) -> (S::F, S::M) {
-    let value = value.widen() * s.splat_f((1u64 << WIDE_FRACTION) as f64);
-    (value.trunc(), value.abs().lt(s.splat_f(WIDE_LIMIT)))
+fn widened<S: Simd>(s: S, value: S::G) -> S::F {
+    (value.widen() * s.splat_f((1u64 << WIDE_FRACTION) as f64)).trunc()
 }
 
 impl<S: Simd> Source<S> for Sorted<'_, S> {
@@ -140,16 +139,13 @@ impl<S: Simd> Source<S> for Sorted<'_, S> {
     }
 
     #[inline(always)]
-    fn wide(&self, s: S, group: usize, lane: usize) -> (Params<S::F>, S::M) {
+    fn wide(&self, s: S, group: usize, lane: usize) -> Params<S::F> {
         let field = match (group, lane) {
             (0, 0) => W,
             (0, _) => tmu_field(0, lane - 1),
             _ => tmu_field(group, lane),
         };
         let Params { start, dx, dy } = self.gradients(s, field);
-        let (start, fits) = widened(s, start);
-        let (dx, fits_dx) = widened(s, dx);
-        let (dy, fits_dy) = widened(s, dy);
-        (Params { start, dx, dy }, fits & fits_dx & fits_dy)
+        Params { start: widened(s, start), dx: widened(s, dx), dy: widened(s, dy) }
     }
 }

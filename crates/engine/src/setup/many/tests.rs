@@ -66,7 +66,22 @@ impl Random {
         if self.word().is_multiple_of(4) {
             corners[self.word() as usize % 3].y = corners[self.word() as usize % 3].y;
         }
+        if self.word().is_multiple_of(8) {
+            self.make_steep(&mut corners);
+        }
         corners
+    }
+
+    /// Lets them begin far outside the screen with coordinates that floats hardly
+    /// hold, and end where these are small.
+    fn make_steep(&mut self, corners: &mut [Vertex; 3]) {
+        let slope = self.float(2048.0);
+        for (v, x) in corners.iter_mut().zip([-240.0, 2.0, 4.0]) {
+            v.x = x;
+            for tmu in &mut v.tmu {
+                tmu.s = (3.0 - x) * slope;
+            }
+        }
     }
 }
 

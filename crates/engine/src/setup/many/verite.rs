@@ -3,7 +3,6 @@
 use fillrate_simd::{FloatLanes, IntLanes, MaskLanes, Simd};
 
 use super::{Order, Places, Source};
-use crate::fixed::WIDE_LIMIT;
 use crate::setup::corners::BLOCK;
 use crate::setup::launch::{Params, Z};
 use crate::setup::verite::{ORDER_CODES, SIXTEENTHS, VeriteCorners};
@@ -108,12 +107,6 @@ impl<S: Simd> Sorted<S> {
     }
 }
 
-/// Values truncated toward zero, and where floats hold their sums.
-#[inline(always)]
-fn truncated<S: Simd>(s: S, value: S::F) -> (S::F, S::M) {
-    (value.trunc(), value.abs().lt(s.splat_f(WIDE_LIMIT)))
-}
-
 impl<S: Simd> Source<S> for Sorted<S> {
     #[inline(always)]
     fn places(&self, s: S) -> (Places<S>, S::M) {
@@ -140,17 +133,14 @@ impl<S: Simd> Source<S> for Sorted<S> {
     }
 
     #[inline(always)]
-    fn wide(&self, s: S, group: usize, lane: usize) -> (Params<S::F>, S::M) {
+    fn wide(&self, s: S, group: usize, lane: usize) -> Params<S::F> {
         if (group, lane) == (0, 0) || group > 0 {
             let zero = s.splat_f(0.0);
-            return (Params { start: zero, dx: zero, dy: zero }, s.mask(u32::MAX));
+            return Params { start: zero, dx: zero, dy: zero };
         }
         let texel = &self.corners.texel[lane - 1];
         let corners = [s.load_f(&texel[0]), s.load_f(&texel[1]), s.load_f(&texel[2])];
         let [dx, dy] = self.steps(corners);
-        let (start, fits) = truncated(s, self.order.first(corners));
-        let (dx, fits_dx) = truncated(s, dx);
-        let (dy, fits_dy) = truncated(s, dy);
-        (Params { start, dx, dy }, fits & fits_dx & fits_dy)
+        Params { start: self.order.first(corners).trunc(), dx: dx.trunc(), dy: dy.trunc() }
     }
 }
