@@ -7,7 +7,7 @@ use super::lod::{level_at, linear_lods, lod_at, smallest_w, smallest_w_below};
 use crate::kernel::Pass;
 use crate::kernel::block::{Block, Lanes, STAMP, Slot, any_live};
 use crate::kernel::lanes::ramp_wide;
-use crate::setup::{Plane64, PlaneF, Triangle};
+use crate::setup::{Plane64, PlaneF};
 use crate::state::Filter;
 
 /// How one level is addressed, lane by lane.
@@ -24,20 +24,24 @@ struct LevelLanes<S: Simd> {
     fraction: S::I,
 }
 
-/// What a triangle's stamps share: the steps within a stamp, and its level of
-/// detail.
+/// What a triangle's stamps share: the planes, the steps within a stamp, and its
+/// level of detail.
 #[derive(Clone, Debug)]
 pub(crate) struct TextureSteps {
     pub(in crate::kernel) triangle: u32,
-    /// s and t times [`COORDINATE`].
-    s: [f64; STAMP],
-    t: [f64; STAMP],
-    w: [f64; STAMP],
+    /// What follows is not set beyond `base` where it is not.
+    exact: bool,
+    /// Level of detail of the triangle at w = 1, with the bias.
+    base: i32,
+    /// See [`Triangle::origin`].
+    origin: (i32, i32),
+    /// s and t times [`COORDINATE`], and w.
+    planes: [PlaneF; 3],
+    /// How they differ from a stamp's corner at each of its fragments.
+    ramps: [[f64; STAMP]; 3],
     /// The most that w rises and falls within a stamp.
     rise: f64,
     fall: f64,
-    /// Level of detail of the triangle at w = 1, with the bias.
-    base: i32,
     /// The level of the last stamp that had only one.
     last: Level,
 }
@@ -62,25 +66,46 @@ fn scaled(plane: &PlaneF) -> PlaneF {
 impl TextureSteps {
     pub const NONE: TextureSteps = TextureSteps {
         triangle: u32::MAX,
-        s: [0.0; STAMP],
-        t: [0.0; STAMP],
-        w: [0.0; STAMP],
+        exact: false,
+        base: 0,
+        origin: (0, 0),
+        planes: [PlaneF { start: 0.0, dx: 0.0, dy: 0.0 }; 3],
+        ramps: [[0.0; STAMP]; 3],
         rise: 0.0,
         fall: 0.0,
-        base: 0,
         last: Level { number: 0, least: 0.0, limit: 0.0 },
     };
 
+    /// Goes to a triangle.
     #[inline(always)]
-    fn set<S: Simd>(&mut self, s: S, [ps, pt, w]: [PlaneF; 3], base: i32) {
-        ramp_wide(s, &scaled(&ps), &mut self.s);
-        ramp_wide(s, &scaled(&pt), &mut self.t);
-        ramp_wide(s, &w, &mut self.w);
+    fn enter<S: Simd>(&mut self, s: S, pass: &Pass<'_>, plan: &UnitPlan, at: &Slot) {
+        let triangle = pass.triangle(at);
+        self.triangle = at.triangle;
+        self.exact = triangle.exact;
+        self.base = triangle.lod_base[plan.index] + i32::from(plan.unit.lod.bias);
+        if !triangle.exact {
+            return;
+        }
+        let [ps, pt, w] = pass.triangles.exact_unit(triangle, plan.index);
+        let w = if plan.unit.perspective { w } else { NO_PERSPECTIVE_F };
+        self.origin = triangle.origin();
+        self.planes = [scaled(&ps), scaled(&pt), w];
+        for (plane, ramp) in self.planes.iter().zip(&mut self.ramps) {
+            ramp_wide(s, plane, ramp);
+        }
         let (right, down) = (w.dx * 3.0, w.dy * 3.0);
         self.rise = right.max(0.0) + down.max(0.0);
         self.fall = right.min(0.0) + down.min(0.0);
-        self.base = base;
         self.last = Level { number: 0, least: 0.0, limit: 0.0 };
+    }
+
+    /// The planes' values at a stamp's corner.
+    #[inline(always)]
+    fn corner(&self, at: &Slot) -> [f64; 3] {
+        let (x, y) = self.origin;
+        let offset = [f64::from(at.x - x), f64::from(at.y - y)];
+        let [ps, pt, w] = &self.planes;
+        [ps.at(offset), pt.at(offset), w.at(offset)]
     }
 
     /// The level of a stamp with w from `smallest` to `largest`; `None` where
@@ -119,47 +144,33 @@ pub(crate) fn address<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, plan: &
     let steps = &mut steps.units[plan.index];
     let mut out = Samples { row0, row1, weight_s, weight_t };
     for (slot, &at) in slots[..*count].iter().enumerate() {
-        let triangle = pass.triangle(&at);
-        let base = triangle.lod_base[plan.index] + i32::from(plan.unit.lod.bias);
+        if at.triangle != steps.triangle {
+            steps.enter(s, pass, plan, &at);
+        }
         let lod = &mut lod.0[slot * STAMP..][..STAMP];
-        if !triangle.exact {
-            let planes = integer_planes(pass, triangle, plan);
-            lods_of_stamp(lod, plan, &planes[2], base, at);
-            inexact_stamp(s, &mut out, plan, planes, (slot, at), lod);
+        if plan.needs_lod || !steps.exact {
+            lods_of_stamp(lod, plan, &integer_w(pass, plan, &at), steps.base, at);
+        }
+        if !steps.exact {
+            inexact_stamp(s, &mut out, pass, plan, (slot, at), lod);
             continue;
         }
+        let (live, corner) = ((*live >> (slot * STAMP)) as u32, steps.corner(&at));
         if plan.needs_lod {
-            let w = pass.triangles.unit_w(triangle, plan.index);
-            let w = if plan.unit.perspective { w } else { NO_PERSPECTIVE };
-            lods_of_stamp(lod, plan, &w, base, at);
-        }
-        let mut planes = pass.triangles.exact_unit(triangle, plan.index);
-        if !plan.unit.perspective {
-            planes[2] = NO_PERSPECTIVE_F;
-        }
-        if at.triangle != steps.triangle {
-            steps.triangle = at.triangle;
-            steps.set(s, planes, base);
-        }
-        let live = (*live >> (slot * STAMP)) as u32;
-        let offset = triangle.offset(at.x, at.y);
-        let values = [planes[0].at(offset), planes[1].at(offset), planes[2].at(offset)];
-        if plan.needs_lod {
-            stamp::<S, true>(s, &mut out, plan, values, (slot, live), lod, steps);
+            stamp::<S, true>(s, &mut out, plan, corner, (slot, live), lod, steps);
         } else {
-            stamp::<S, false>(s, &mut out, plan, values, (slot, live), lod, steps);
+            stamp::<S, false>(s, &mut out, plan, corner, (slot, live), lod, steps);
         }
     }
 }
 
-/// The planes where floats will not do.
+/// w where floats will not do.
 #[inline(always)]
-fn integer_planes(pass: &Pass<'_>, triangle: &Triangle, plan: &UnitPlan) -> [Plane64; 3] {
-    let mut planes = pass.triangles.unit(triangle, plan.index);
-    if !plan.unit.perspective {
-        planes[2] = NO_PERSPECTIVE;
+fn integer_w(pass: &Pass<'_>, plan: &UnitPlan, at: &Slot) -> Plane64 {
+    match plan.unit.perspective {
+        true => pass.triangles.unit_w(pass.triangle(at), plan.index),
+        false => NO_PERSPECTIVE,
     }
-    planes
 }
 
 /// Where a unit's samples are described.
@@ -204,11 +215,13 @@ fn quotient(s: i64, w: i64, clamp_negative_w: bool) -> i32 {
 fn inexact_stamp<S: Simd>(
     s: S,
     out: &mut Samples<'_>,
+    pass: &Pass<'_>,
     plan: &UnitPlan,
-    [ps, pt, pw]: [Plane64; 3],
     (slot, at): (usize, Slot),
     lods: &[i32],
 ) {
+    let [ps, pt, _] = pass.triangles.unit(pass.triangle(&at), plan.index);
+    let pw = integer_w(pass, plan, &at);
     let (mut qs, mut qt) = ([0; STAMP], [0; STAMP]);
     for i in 0..STAMP {
         let (x, y) = (at.x + (i & 3) as i32, at.y + (i >> 2) as i32);
@@ -228,7 +241,7 @@ fn inexact_stamp<S: Simd>(
     }
 }
 
-/// A stamp in float lanes, from s, t and w at its first fragment; `LODS` where
+/// A stamp in float lanes, from the planes' values at its corner; `LODS` where
 /// levels come from `lods`. What is not live keeps what was there.
 #[inline(always)]
 fn stamp<S: Simd, const LODS: bool>(
@@ -243,15 +256,15 @@ fn stamp<S: Simd, const LODS: bool>(
     // w is linear, so its extremes are at corners.
     let (smallest, largest) = (corner_w + steps.fall, corner_w + steps.rise);
     let level = if LODS { None } else { steps.level(plan, smallest, largest) };
-    let (base_s, base_t) = (s.splat_f(corner_s * COORDINATE), s.splat_f(corner_t * COORDINATE));
-    let base_w = s.splat_f(corner_w);
+    let (base_s, base_t) = (s.splat_f(corner_s), s.splat_f(corner_t));
+    let (base_w, [ramp_s, ramp_t, ramp_w]) = (s.splat_f(corner_w), &steps.ramps);
     for j in (0..STAMP).step_by(S::LANES) {
         if S::ONE_BY_ONE && !any_live::<S>(live, j) {
             continue;
         }
         let k = slot * STAMP + j;
-        let w = base_w + s.load_f(&steps.w[j..]);
-        let coordinates = [base_s + s.load_f(&steps.s[j..]), base_t + s.load_f(&steps.t[j..])];
+        let w = base_w + s.load_f(&ramp_w[j..]);
+        let coordinates = [base_s + s.load_f(&ramp_s[j..]), base_t + s.load_f(&ramp_t[j..])];
         let quotients = if smallest > 0.0 {
             quotients(coordinates, w)
         } else {
