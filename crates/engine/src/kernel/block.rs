@@ -131,6 +131,8 @@ pub(crate) struct Block {
     pub color: Colors,
     /// The colour before fog.
     pub prefog: Colors,
+    /// Fog amounts by the table, in both halves.
+    pub fog: Lanes,
     /// Texel addresses of the two rows, and the weights of a bilinear sample.
     pub row0: Lanes,
     pub row1: Lanes,
@@ -171,6 +173,7 @@ impl Block {
             texture: colors.clone(),
             color: colors.clone(),
             prefog: colors.clone(),
+            fog: lanes.clone(),
             row0: lanes.clone(),
             row1: lanes.clone(),
             weight_s: lanes.clone(),

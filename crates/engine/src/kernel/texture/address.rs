@@ -6,8 +6,8 @@ use super::UnitPlan;
 use super::lod::{level_at, linear_lods, lod_at, smallest_w, smallest_w_below};
 use crate::kernel::Pass;
 use crate::kernel::block::{Block, Lanes, STAMP, Slot, any_live};
-use crate::kernel::lanes::ramp_wide;
-use crate::setup::{Plane64, PlaneF};
+use crate::kernel::lanes::{Stamp, ramp_wide};
+use crate::setup::{Plane64, PlaneF, offset};
 use crate::state::Filter;
 
 /// How one level is addressed, lane by lane.
@@ -38,7 +38,7 @@ pub(crate) struct TextureSteps {
     /// s and t times [`COORDINATE`], and w.
     planes: [PlaneF; 3],
     /// How they differ from a stamp's corner at each of its fragments.
-    ramps: [[f64; STAMP]; 3],
+    ramps: [Stamp<f64>; 3],
     /// The most that w rises and falls within a stamp.
     rise: f64,
     fall: f64,
@@ -70,7 +70,7 @@ impl TextureSteps {
         base: 0,
         origin: (0, 0),
         planes: [PlaneF { start: 0.0, dx: 0.0, dy: 0.0 }; 3],
-        ramps: [[0.0; STAMP]; 3],
+        ramps: [const { Stamp([0.0; STAMP]) }; 3],
         rise: 0.0,
         fall: 0.0,
         last: Level { number: 0, least: 0.0, limit: 0.0 },
@@ -91,7 +91,7 @@ impl TextureSteps {
         self.origin = triangle.origin();
         self.planes = [scaled(&ps), scaled(&pt), w];
         for (plane, ramp) in self.planes.iter().zip(&mut self.ramps) {
-            ramp_wide(s, plane, ramp);
+            ramp_wide(s, plane, &mut ramp.0);
         }
         let (right, down) = (w.dx * 3.0, w.dy * 3.0);
         self.rise = right.max(0.0) + down.max(0.0);
@@ -102,8 +102,7 @@ impl TextureSteps {
     /// The planes' values at a stamp's corner.
     #[inline(always)]
     fn corner(&self, at: &Slot) -> [f64; 3] {
-        let (x, y) = self.origin;
-        let offset = [f64::from(at.x - x), f64::from(at.y - y)];
+        let offset = offset(self.origin, at.x, at.y);
         let [ps, pt, w] = &self.planes;
         [ps.at(offset), pt.at(offset), w.at(offset)]
     }
@@ -263,8 +262,8 @@ fn stamp<S: Simd, const LODS: bool>(
             continue;
         }
         let k = slot * STAMP + j;
-        let w = base_w + s.load_f(&ramp_w[j..]);
-        let coordinates = [base_s + s.load_f(&ramp_s[j..]), base_t + s.load_f(&ramp_t[j..])];
+        let w = base_w + s.load_f(&ramp_w.0[j..]);
+        let coordinates = [base_s + s.load_f(&ramp_s.0[j..]), base_t + s.load_f(&ramp_t.0[j..])];
         let quotients = if smallest > 0.0 {
             quotients(coordinates, w)
         } else {

@@ -10,7 +10,7 @@ mod lod;
 mod plan;
 
 pub(crate) use address::{TextureSteps, address};
-pub(crate) use combine::texture_combine;
+pub(crate) use combine::{multiplied_texels, texture_combine};
 pub(crate) use fetch::{fetch, mix_next, texels};
 pub(crate) use key::texel_key;
 pub(crate) use lod::lod_base;
