@@ -3,7 +3,7 @@
 use fillrate_simd::Simd;
 
 use super::depth::IteratedW;
-use super::texture::TextureSteps;
+use super::texture::{Reciprocals, TextureSteps};
 use crate::state::MAX_TMUS;
 
 /// Fragments of a block.
@@ -138,6 +138,8 @@ pub(crate) struct Block {
     pub row1: Lanes,
     pub weight_s: Lanes,
     pub weight_t: Lanes,
+    /// 1 / w of the unit upstream.
+    pub reciprocals: Reciprocals,
     /// Level of detail of the current unit, 8 fraction bits.
     pub lod: Lanes,
     /// Scratch colours.
@@ -178,6 +180,7 @@ impl Block {
             row1: lanes.clone(),
             weight_s: lanes.clone(),
             weight_t: lanes.clone(),
+            reciprocals: Reciprocals([0.0; BLOCK]),
             lod: lanes,
             scratch: colors,
             steps: Steps::NONE,
