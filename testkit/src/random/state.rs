@@ -13,6 +13,72 @@ use super::texture::KEY_COLORS;
 
 /// A draw state for a surface of `width` x `height`.
 pub fn draw_state(rng: &mut Rng, width: u32, height: u32) -> DrawState {
+    let state = any_state(rng, width, height);
+    if rng.one_in(6) { common(rng, &state) } else { state }
+}
+
+/// What programs draw with most: iterated colours, a texel, a product of those or of
+/// two texels; with fog by the table, blended, and written whole.
+fn common(rng: &mut Rng, state: &DrawState) -> DrawState {
+    let mut units = state.units;
+    for unit in units.iter_mut().flatten() {
+        (unit.mix_levels, unit.drop_keyed) = (false, false);
+        unit.trilinear &= rng.one_in(4);
+        let alphas = [TextureFactor::Local, TextureFactor::LocalAlpha];
+        unit.combine = match rng.one_in(3) {
+            true => replace(),
+            false => TextureCombine {
+                color: scale(TextureFactor::Local, rng.one_in(4)),
+                alpha: scale(rng.pick(&alphas), rng.one_in(4)),
+            },
+        };
+    }
+    let mut fog = rng.maybe(2, fog);
+    if let Some(fog) = &mut fog
+        && !rng.one_in(4)
+    {
+        fog.amount = FogAmount::Table;
+    }
+    let whole = scale(Factor::Zero, true);
+    let local = CombineUnit { zero_other: true, add: Addend::Local, ..CombineUnit::default() };
+    let products = [scale(Factor::Local, false), scale(Factor::LocalAlpha, false)];
+    DrawState {
+        aux_write: rng.pick(&[AuxWrite::Nothing, AuxWrite::Depth]),
+        units,
+        chroma_key: None,
+        color_combine: ColorCombine {
+            other: rng.pick(&[Other::Texture, Other::Texture, Other::Iterated]),
+            local: ColorLocal::Iterated,
+            unit: rng.pick(&[whole, products[0]]),
+        },
+        alpha_combine: AlphaCombine {
+            other: rng.pick(&OTHERS),
+            local: rng.pick(&[AlphaLocal::Iterated, AlphaLocal::Iterated, AlphaLocal::Constant]),
+            unit: rng.pick(&[whole, local, products[0], products[1]]),
+        },
+        alpha_test: rng.maybe(4, alpha_test),
+        fog,
+        blend: state.blend.map(|blend| Blend {
+            alpha: AlphaEquation::Switches,
+            constant_destination: None,
+            ..blend
+        }),
+        color_write: true,
+        pattern: None,
+        shade: Shade::default(),
+        logic_op: None,
+        channels: Channels::ALL,
+        plane_mask: u32::MAX,
+        ..*state
+    }
+}
+
+/// A unit that multiplies.
+fn scale<F: Copy + Default>(factor: F, one_minus: bool) -> CombineUnit<F> {
+    CombineUnit { factor, one_minus, ..CombineUnit::default() }
+}
+
+fn any_state(rng: &mut Rng, width: u32, height: u32) -> DrawState {
     DrawState {
         origin: rng.pick(&[Origin::UpperLeft, Origin::LowerLeft]),
         clip: rng.maybe(3, |rng| clip(rng, width, height)),

@@ -3,7 +3,7 @@
 use fillrate_simd::Simd;
 
 use super::depth::IteratedW;
-use super::texture::TextureSteps;
+use super::texture::{Reciprocals, TextureSteps};
 use crate::state::MAX_TMUS;
 
 /// Fragments of a block.
@@ -131,11 +131,15 @@ pub(crate) struct Block {
     pub color: Colors,
     /// The colour before fog.
     pub prefog: Colors,
+    /// Fog amounts by the table, in both halves.
+    pub fog: Lanes,
     /// Texel addresses of the two rows, and the weights of a bilinear sample.
     pub row0: Lanes,
     pub row1: Lanes,
     pub weight_s: Lanes,
     pub weight_t: Lanes,
+    /// 1 / w of the unit upstream.
+    pub reciprocals: Reciprocals,
     /// Level of detail of the current unit, 8 fraction bits.
     pub lod: Lanes,
     /// Scratch colours.
@@ -171,10 +175,12 @@ impl Block {
             texture: colors.clone(),
             color: colors.clone(),
             prefog: colors.clone(),
+            fog: lanes.clone(),
             row0: lanes.clone(),
             row1: lanes.clone(),
             weight_s: lanes.clone(),
             weight_t: lanes.clone(),
+            reciprocals: Reciprocals([0.0; BLOCK]),
             lod: lanes,
             scratch: colors,
             steps: Steps::NONE,

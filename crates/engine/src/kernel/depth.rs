@@ -9,9 +9,9 @@
 use fillrate_simd::{FloatLanes, IntLanes, MaskLanes, Simd};
 
 use super::block::{Block, Lanes, STAMP, Slot, Strip, VECTORS};
-use super::lanes::{iterate, places, ramp_wide, wrap};
+use super::lanes::{Stamp, iterate, places, ramp_wide, wrap};
 use super::{Pass, Pipeline, Tile};
-use crate::setup::{Narrow, Plane64, Z};
+use crate::setup::{Narrow, Plane64, PlaneF, Z, offset};
 use crate::state::{AuxWrite, Compare, DepthSource, ZOverflow};
 
 /// The pseudo-float of a 48-bit w with 32 fraction bits: 4 exponent bits and
@@ -92,38 +92,63 @@ impl<S: Simd> DepthLanes<S> for IteratedZ {
 #[derive(Clone, Debug)]
 pub(crate) struct IteratedW {
     pub(super) triangle: u32,
-    ramp: [f64; STAMP],
-    values: [i32; STAMP],
+    /// Whether floats hold it; see [`crate::setup::Triangle::exact`].
+    exact: bool,
+    origin: (i32, i32),
+    plane: PlaneF,
+    ramp: Stamp<f64>,
+    /// w of the stamp's first fragment.
+    corner: f64,
+    /// The values of a stamp whose w floats do not hold.
+    values: Stamp<i32>,
 }
 
 impl IteratedW {
-    pub const NONE: IteratedW =
-        IteratedW { triangle: u32::MAX, ramp: [0.0; STAMP], values: [0; STAMP] };
+    pub const NONE: IteratedW = IteratedW {
+        triangle: u32::MAX,
+        exact: false,
+        origin: (0, 0),
+        plane: PlaneF { start: 0.0, dx: 0.0, dy: 0.0 },
+        ramp: Stamp([0.0; STAMP]),
+        corner: 0.0,
+        values: Stamp([0; STAMP]),
+    };
+
+    /// Goes to the triangle of a stamp.
+    #[inline(always)]
+    fn change<S: Simd>(&mut self, s: S, pass: &Pass<'_>, at: &Slot) {
+        let triangle = pass.triangle(at);
+        self.triangle = at.triangle;
+        self.exact = triangle.exact;
+        if triangle.exact {
+            self.origin = triangle.origin();
+            self.plane = pass.triangles.exact_w(triangle);
+            ramp_wide(s, &self.plane, &mut self.ramp.0);
+        }
+    }
 }
 
 impl<S: Simd> DepthLanes<S> for IteratedW {
     #[inline(always)]
     fn enter(&mut self, s: S, pass: &Pass<'_>, at: &Slot, _slot: usize) {
-        let triangle = pass.triangle(at);
-        if !triangle.exact {
-            let plane = pass.triangles.w(triangle);
-            return exact_w_of_stamp(&plane, at.x, at.y, &mut self.values);
-        }
-        let plane = pass.triangles.exact_w(triangle);
         if at.triangle != self.triangle {
-            self.triangle = at.triangle;
-            ramp_wide(s, &plane, &mut self.ramp);
+            self.change(s, pass, at);
         }
-        let base = s.splat_f(plane.at(triangle.offset(at.x, at.y)));
-        for j in (0..STAMP).step_by(S::LANES) {
-            let w = base + s.load_f(&self.ramp[j..]);
-            s.store(float_w_lanes(s, w), &mut self.values[j..]);
+        if self.exact {
+            self.corner = self.plane.at(offset(self.origin, at.x, at.y));
+        } else {
+            let plane = pass.triangles.w(pass.triangle(at));
+            exact_w_of_stamp(&plane, at.x, at.y, &mut self.values.0);
         }
     }
 
     #[inline(always)]
     fn lanes(&self, s: S, _pass: &Pass<'_>, _at: &Slot, j: usize) -> S::I {
-        s.load(&self.values[j..])
+        if self.exact {
+            float_w_lanes(s, s.splat_f(self.corner) + s.load_f(&self.ramp.0[j..]))
+        } else {
+            s.load(&self.values.0[j..])
+        }
     }
 }
 

@@ -7,13 +7,16 @@
 use fillrate_simd::Simd;
 
 use super::block::{Block, STAMP, Strip, any_live};
+use super::fog::FogColor;
 use super::iterate::{ColorIterators, iterated_colors};
 use super::lanes::{join as join_halves, places};
 use super::output::{blended, pack};
 use super::pipeline::{Pipeline, Stage};
-use super::texture::texels;
+use super::texture::{multiplied_texels, texels};
 use super::{ColorTile, Pass, Tile};
-use crate::state::{AlphaCombine, AlphaLocal, AuxWrite, ColorLocal, Dither, Factor, Other};
+use crate::state::{
+    AlphaCombine, AlphaLocal, AuxWrite, ColorLocal, Dither, Factor, FogAmount, Other,
+};
 use crate::target::PixelFormat;
 
 /// Where the fragments' colour comes from.
@@ -38,12 +41,39 @@ pub(crate) enum AlphaSource {
     Constant1,
 }
 
-/// A joined end of a stage list: colour, blend, write.
+/// A joined end of a stage list: colour, fog, blend, write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Joined {
     pub color: ColorSource,
     pub alpha: AlphaSource,
+    /// The texel is multiplied by that of the unit upstream.
+    pub chain: bool,
+    /// By the table.
+    pub fog: bool,
     pub blend: bool,
+}
+
+impl Joined {
+    /// Whether it is more than colour, blend and write. So much at once pays only
+    /// where a stamp is one vector; elsewhere its stages run one by one.
+    pub fn is_long(&self) -> bool {
+        self.chain || self.fog
+    }
+
+    /// The single stages that it stands for.
+    pub fn stages(&self) -> impl Iterator<Item = Stage> {
+        let textured = self.color != ColorSource::Iterated;
+        let stages = [
+            (textured, Stage::Fetch(0)),
+            (self.chain, Stage::TextureCombine(0)),
+            (self.color != ColorSource::Texel, Stage::IterateColors),
+            (textured, Stage::Combine),
+            (self.fog, Stage::Fog),
+            (self.blend, Stage::Blend),
+            (true, Stage::Write),
+        ];
+        stages.into_iter().filter_map(|(wanted, stage)| wanted.then_some(stage))
+    }
 }
 
 /// Replaces the end of a pipeline's stage list where it can be joined.
@@ -54,21 +84,20 @@ pub(super) fn join_stages(pipeline: &mut Pipeline, format: PixelFormat) {
     }
     let Some(color) = color_source(pipeline) else { return };
     let Some(alpha) = alpha_source(pipeline, color) else { return };
-    let blend = state.blend.is_some();
-    let mut end: Vec<Stage> = match color {
-        ColorSource::Iterated => vec![Stage::IterateColors],
-        ColorSource::Texel => vec![Stage::Fetch(0), Stage::Combine],
-        ColorSource::Product => vec![Stage::Fetch(0), Stage::IterateColors, Stage::Combine],
+    let joined = Joined {
+        color,
+        alpha,
+        chain: color != ColorSource::Iterated
+            && pipeline.units[0].as_ref().is_some_and(|plan| !plan.texel_only),
+        fog: state.fog.is_some_and(|fog| fog.amount == FogAmount::Table),
+        blend: state.blend.is_some(),
     };
-    end.extend(blend.then_some(Stage::Blend));
-    end.push(Stage::Write);
-    if alpha == AlphaSource::Iterated && color == ColorSource::Texel
-        || !pipeline.stages.ends_with(&end)
-    {
-        return;
+    let end: Vec<Stage> = joined.stages().collect();
+    let misses_alpha = alpha == AlphaSource::Iterated && color == ColorSource::Texel;
+    if !misses_alpha && pipeline.stages.ends_with(&end) {
+        pipeline.stages.truncate(pipeline.stages.len() - end.len());
+        pipeline.stages.push(Stage::Joined(joined));
     }
-    pipeline.stages.truncate(pipeline.stages.len() - end.len());
-    pipeline.stages.push(Stage::Joined(Joined { color, alpha, blend }));
 }
 
 fn color_source(pipeline: &Pipeline) -> Option<ColorSource> {
@@ -77,7 +106,7 @@ fn color_source(pipeline: &Pipeline) -> Option<ColorSource> {
     if pipeline.passes_iterated {
         return Some(ColorSource::Iterated);
     }
-    let texel = pipeline.units[0].as_ref().is_some_and(|plan| plan.texel_only);
+    let texel = pipeline.units[0].as_ref().is_some_and(|plan| plan.texel_only || plan.multiplies);
     if !texel || combine.other != Other::Texture || !unit.scales() {
         return None;
     }
@@ -118,9 +147,9 @@ fn alpha_source(pipeline: &Pipeline, color: ColorSource) -> Option<AlphaSource> 
     }
 }
 
-/// Runs a joined end over a block.
+/// Runs a joined end over a block; `LONG` where it is [`Joined::is_long`].
 #[inline(always)]
-pub(super) fn run_joined<S: Simd, const TEXEL: bool, const ITERATED: bool>(
+pub(super) fn run_joined<S: Simd, const TEXEL: bool, const ITERATED: bool, const LONG: bool>(
     s: S,
     block: &mut Block,
     pass: &Pass<'_>,
@@ -128,13 +157,16 @@ pub(super) fn run_joined<S: Simd, const TEXEL: bool, const ITERATED: bool>(
 ) {
     let Some(Stage::Joined(joined)) = pass.pipeline.stages.last() else { return };
     let dithered = pass.pipeline.state.dither != Dither::Off;
+    macro_rules! run {
+        ($blend:literal, $dither:literal) => {
+            fragments::<S, TEXEL, ITERATED, LONG, $blend, $dither>(s, block, pass, tile, joined)
+        };
+    }
     match (joined.blend, dithered) {
-        (false, false) => {
-            fragments::<S, TEXEL, ITERATED, false, false>(s, block, pass, tile, joined);
-        }
-        (false, true) => fragments::<S, TEXEL, ITERATED, false, true>(s, block, pass, tile, joined),
-        (true, false) => fragments::<S, TEXEL, ITERATED, true, false>(s, block, pass, tile, joined),
-        (true, true) => fragments::<S, TEXEL, ITERATED, true, true>(s, block, pass, tile, joined),
+        (false, false) => run!(false, false),
+        (false, true) => run!(false, true),
+        (true, false) => run!(true, false),
+        (true, true) => run!(true, true),
     }
 }
 
@@ -143,6 +175,7 @@ fn fragments<
     S: Simd,
     const TEXEL: bool,
     const ITERATED: bool,
+    const LONG: bool,
     const BLEND: bool,
     const DITHER: bool,
 >(
@@ -153,6 +186,8 @@ fn fragments<
     joined: &Joined,
 ) {
     let ColorTile::Bits16(pixels, _) = &mut tile.color else { return };
+    let fogged = LONG && joined.fog;
+    let fog = FogColor::new(s, pass);
     for slot in 0..block.count {
         let live = (block.live >> (slot * STAMP)) as u32 & 0xffff;
         if live == 0 {
@@ -165,11 +200,14 @@ fn fragments<
             if S::ONE_BY_ONE && !any_live::<S>(live, j) {
                 continue;
             }
-            let alpha = joined.alpha;
-            let color = colors::<S, TEXEL, ITERATED, BLEND>(s, block, pass, alpha, slot, j);
+            let before = colors::<S, TEXEL, ITERATED, LONG, BLEND>(s, block, pass, joined, slot, j);
+            let mut color = before;
+            if fogged {
+                color = fog.mixed(s, before, s.load(&block.fog.0[slot * STAMP + j..]));
+            }
             let aux = aux.get(j..).unwrap_or(&[]);
             let pixels = &mut pixels[j..];
-            let color = finished::<S, BLEND, DITHER>(s, pass, color, pixels, aux, j);
+            let color = finished::<S, BLEND, DITHER>(s, pass, [color, before], pixels, aux, j);
             s.store16(color, pixels, s.mask(live >> j));
         }
     }
@@ -177,20 +215,21 @@ fn fragments<
 }
 
 /// Blends and dithers the colours of fragments `j..` of a stamp, to be written;
-/// the slices begin with their elements.
+/// the colours before fog follow them, and the slices begin with their elements.
 #[inline(always)]
 fn finished<S: Simd, const BLEND: bool, const DITHER: bool>(
     s: S,
     pass: &Pass<'_>,
-    mut color: [S::I; 2],
+    colors: [[S::I; 2]; 2],
     pixels: &[u16],
     aux: &[u16],
     j: usize,
 ) -> S::I {
     let pipeline = pass.pipeline;
     let format = PixelFormat::Rgb565;
+    let mut color = colors[0];
     if BLEND && let Some(config) = &pipeline.state.blend {
-        let (element, colors) = (s.load16(pixels), [color, color]);
+        let element = s.load16(pixels);
         color = blended::<S, false>(s, pass, config, format, colors, element, aux, j);
     }
     let dither = if DITHER { Some(s.load(&pipeline.dither[j..])) } else { None };
@@ -227,7 +266,7 @@ fn strip_fragments<S: Simd, const BLEND: bool, const DITHER: bool>(
             colors.advance();
             let aux = tile.aux.get(first.at as usize + i * STAMP + j..).unwrap_or(&[]);
             let pixels = &mut pixels[j..];
-            let color = finished::<S, BLEND, DITHER>(s, pass, color, pixels, aux, j);
+            let color = finished::<S, BLEND, DITHER>(s, pass, [color, color], pixels, aux, j);
             if whole {
                 s.store16_all(color, pixels);
             } else {
@@ -240,11 +279,11 @@ fn strip_fragments<S: Simd, const BLEND: bool, const DITHER: bool>(
 
 /// The colours of fragments `j..` of a slot; their alpha only where `ALPHA`.
 #[inline(always)]
-fn colors<S: Simd, const TEXEL: bool, const ITERATED: bool, const ALPHA: bool>(
+fn colors<S: Simd, const TEXEL: bool, const ITERATED: bool, const LONG: bool, const ALPHA: bool>(
     s: S,
     block: &Block,
     pass: &Pass<'_>,
-    alpha: AlphaSource,
+    joined: &Joined,
     slot: usize,
     j: usize,
 ) -> [S::I; 2] {
@@ -260,11 +299,15 @@ fn colors<S: Simd, const TEXEL: bool, const ITERATED: bool, const ALPHA: bool>(
     }
     let Some(plan) = &pass.pipeline.units[0] else { return iterated };
     let entries = plan.texture.entries();
-    let texel = if plan.point {
-        texels::<S, true>(s, block, entries, slot * STAMP + j)
+    let k = slot * STAMP + j;
+    let mut texel = if plan.point {
+        texels::<S, true>(s, block, entries, k)
     } else {
-        texels::<S, false>(s, block, entries, slot * STAMP + j)
+        texels::<S, false>(s, block, entries, k)
     };
+    if LONG && joined.chain {
+        texel = multiplied_texels(s, block, plan, texel, k);
+    }
     let mut color = texel;
     if ITERATED {
         let switches = &pass.pipeline.combine;
@@ -275,7 +318,7 @@ fn colors<S: Simd, const TEXEL: bool, const ITERATED: bool, const ALPHA: bool>(
         return color;
     }
     let pipeline = pass.pipeline;
-    color[1] = match alpha {
+    color[1] = match joined.alpha {
         AlphaSource::Color => color[1],
         AlphaSource::Texel => join_halves(s, color[1], texel[1]),
         AlphaSource::Iterated => join_halves(s, color[1], iterated[1]),

@@ -6,21 +6,27 @@ use super::block::STAMP;
 use crate::setup::{Narrow, PlaneF};
 use crate::state::{DITHER_2X2, DITHER_4X4, Dither};
 
+/// A value for each fragment of a stamp, where no vector of them crosses a cache
+/// line.
+#[derive(Clone, Debug)]
+#[repr(align(64))]
+pub(crate) struct Stamp<T>(pub [T; STAMP]);
+
 /// Column of each fragment in its stamp.
-pub(crate) static COLUMN: [i32; STAMP] = [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3];
+pub(crate) static COLUMN: Stamp<i32> = Stamp([0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3]);
 /// Row of each fragment in its stamp.
-pub(crate) static ROW: [i32; STAMP] = [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3];
+pub(crate) static ROW: Stamp<i32> = Stamp([0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3]);
 /// [`COLUMN`] as floats.
-pub(crate) static COLUMN_F: [f64; STAMP] =
-    [0., 1., 2., 3., 0., 1., 2., 3., 0., 1., 2., 3., 0., 1., 2., 3.];
+pub(crate) static COLUMN_F: Stamp<f64> =
+    Stamp([0., 1., 2., 3., 0., 1., 2., 3., 0., 1., 2., 3., 0., 1., 2., 3.]);
 /// [`ROW`] as floats.
-pub(crate) static ROW_F: [f64; STAMP] =
-    [0., 0., 0., 0., 1., 1., 1., 1., 2., 2., 2., 2., 3., 3., 3., 3.];
+pub(crate) static ROW_F: Stamp<f64> =
+    Stamp([0., 0., 0., 0., 1., 1., 1., 1., 2., 2., 2., 2., 3., 3., 3., 3.]);
 
 /// Screen columns and rows of fragments `j..` of the stamp at (x, y).
 #[inline(always)]
 pub(crate) fn places<S: Simd>(s: S, x: i32, y: i32, j: usize) -> [S::I; 2] {
-    [s.splat(x) + s.load(&COLUMN[j..]), s.splat(y) + s.load(&ROW[j..])]
+    [s.splat(x) + s.load(&COLUMN.0[j..]), s.splat(y) + s.load(&ROW.0[j..])]
 }
 
 /// A 32-bit attribute at screen columns and rows.
@@ -34,7 +40,7 @@ pub(crate) fn iterate<S: Simd>(s: S, narrow: &Narrow, lane: usize, [x, y]: [S::I
 #[inline(always)]
 pub(crate) fn ramp<S: Simd>(s: S, dx: i32, dy: i32, out: &mut [i32; STAMP]) {
     for j in (0..STAMP).step_by(S::LANES) {
-        let ramp = s.load(&COLUMN[j..]).mul(s.splat(dx)) + s.load(&ROW[j..]).mul(s.splat(dy));
+        let ramp = s.load(&COLUMN.0[j..]).mul(s.splat(dx)) + s.load(&ROW.0[j..]).mul(s.splat(dy));
         s.store(ramp, &mut out[j..]);
     }
 }
@@ -44,7 +50,7 @@ pub(crate) fn ramp<S: Simd>(s: S, dx: i32, dy: i32, out: &mut [i32; STAMP]) {
 pub(crate) fn ramp_wide<S: Simd>(s: S, plane: &PlaneF, out: &mut [f64; STAMP]) {
     let (dx, dy) = (s.splat_f(plane.dx), s.splat_f(plane.dy));
     for j in (0..STAMP).step_by(S::LANES) {
-        let ramp = s.load_f(&COLUMN_F[j..]) * dx + s.load_f(&ROW_F[j..]) * dy;
+        let ramp = s.load_f(&COLUMN_F.0[j..]) * dx + s.load_f(&ROW_F.0[j..]) * dy;
         s.store_f(ramp, &mut out[j..]);
     }
 }

@@ -32,8 +32,8 @@ impl Offsets {
     fn new<S: Simd>(s: S, plane: &Plane32) -> Offsets {
         let mut out = [0; STAMP];
         for j in (0..STAMP).step_by(S::LANES) {
-            let lanes = s.load(&COLUMN[j..]).mul(s.splat(plane.dx))
-                + s.load(&ROW[j..]).mul(s.splat(plane.dy));
+            let lanes = s.load(&COLUMN.0[j..]).mul(s.splat(plane.dx))
+                + s.load(&ROW.0[j..]).mul(s.splat(plane.dy));
             s.store(lanes, &mut out[j..]);
         }
         Offsets(out)
@@ -54,8 +54,8 @@ impl WideOffsets {
     fn new<S: Simd>(s: S, plane: &Plane64) -> WideOffsets {
         let mut out = [0.0; STAMP];
         for j in (0..STAMP).step_by(S::LANES) {
-            let lanes = s.load_f(&COLUMN_F[j..]) * s.splat_f(plane.dx as f64)
-                + s.load_f(&ROW_F[j..]) * s.splat_f(plane.dy as f64);
+            let lanes = s.load_f(&COLUMN_F.0[j..]) * s.splat_f(plane.dx as f64)
+                + s.load_f(&ROW_F.0[j..]) * s.splat_f(plane.dy as f64);
             s.store_f(lanes, &mut out[j..]);
         }
         WideOffsets(out)

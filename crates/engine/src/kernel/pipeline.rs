@@ -56,6 +56,8 @@ pub(crate) enum Stage {
     Background,
     AlphaTest,
     Fog,
+    /// The amount of fog by the table, for [`Stage::Fog`].
+    FogAmount,
     /// Fog by the part of the colour that stays.
     FogByPart,
     Blend,
@@ -202,7 +204,11 @@ impl Pipeline {
             Stage::BlendFully,
             Stage::WriteBits,
         ];
-        self.in_order = self.stages.iter().any(|stage| reads.contains(stage));
+        // Levels that run the stages of a long end one by one blend before they write.
+        self.in_order = self.stages.iter().any(|stage| match stage {
+            Stage::Joined(end) => end.is_long() && end.blend,
+            stage => reads.contains(stage),
+        });
     }
 
     /// Whether a triangle that covers a tile replaces all its colours and
@@ -234,6 +240,8 @@ impl Pipeline {
             (format, aux),
         );
         (pipeline.early, pipeline.in_order) = (early::NONE, true);
+        // It is in the block already.
+        pipeline.needs.keeps_w = true;
         let made = [Stage::IterateColors, Stage::Combine];
         pipeline.stages.retain(|stage| !made.contains(stage));
         for stage in &mut pipeline.stages {
@@ -406,7 +414,9 @@ fn needs(state: &DrawState, reads_alpha: bool) -> Needs {
     let (colors, alpha) = reads_iterated(state, reads_alpha);
     Needs {
         keeps_z: fog(FogAmount::IteratedZ) || state.alpha_combine.local == AlphaLocal::Depth,
-        keeps_w: fog(FogAmount::Table) || fog(FogAmount::ByW),
+        // The stage of amounts works w out itself, unless the test does.
+        keeps_w: fog(FogAmount::Table) && depth && z.source == DepthSource::FloatW
+            || fog(FogAmount::ByW),
         colors,
         alpha,
         late_depth_write: state.chroma_key.is_some()
@@ -483,6 +493,8 @@ fn stages(
     let wide = state.depth.source.is_deep() || aux == Some(PixelFormat::Aux32);
     let depth = if wide { Stage::WideDepth } else { Stage::Depth };
     add(needs.depth || needs.keeps_z || needs.keeps_w || state.depth.rejects(), depth);
+    let by_table = |fog: Fog| fog.amount == FogAmount::Table;
+    add(state.fog.is_some_and(by_table), Stage::FogAmount);
     if reads_texture(state) || drops_keyed(state) {
         for (index, plan) in units.iter().enumerate().rev() {
             let Some(plan) = plan else { continue };

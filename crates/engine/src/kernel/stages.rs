@@ -1,6 +1,6 @@
 //! Stages as functions of one level, and the loop over a list of them.
 
-use fillrate_simd::{Kernel, Simd};
+use fillrate_simd::{Kernel, MAX_LANES, Simd};
 
 use super::block::{Block, Strip};
 use super::joined::{self, ColorSource};
@@ -26,6 +26,11 @@ pub(crate) struct StageList<S: Simd> {
 impl<S: Simd> StageList<S> {
     pub fn new() -> StageList<S> {
         StageList { stages: [stipple_stage; MAX_STAGES], count: 0 }
+    }
+
+    fn push(&mut self, stage: StageFn<S>) {
+        self.stages[self.count] = stage;
+        self.count += 1;
     }
 }
 
@@ -74,7 +79,9 @@ strip!(flat_strip, output::flat_strip);
 /// The function that draws strips by these stages, where there is one.
 pub(crate) fn strip_function<S: Simd>(stages: &[Stage]) -> Option<StripFn<S>> {
     match stages {
-        [Stage::Joined(end)] if end.color == ColorSource::Iterated => Some(iterated_strip),
+        [Stage::Joined(end)] if end.color == ColorSource::Iterated && !end.is_long() => {
+            Some(iterated_strip)
+        }
         [Stage::Flat] => Some(flat_strip),
         _ => None,
     }
@@ -132,17 +139,26 @@ stage!(blend_fully, |s, block, pass, tile| output::blend_fully(s, block, pass, t
 stage!(write_bits, |s, block, pass, tile| output::write_bits(s, block, pass, tile));
 stage!(alpha_test, |s, block, pass, tile| alpha_test::alpha_test(s, block, pass, tile));
 stage!(fog, |s, block, pass, _tile| fog::fog(s, block, pass));
+stage!(fog_amount, |s, block, pass, _tile| fog::fog_amount(s, block, pass));
 stage!(depth_write, |s, block, _pass, tile| depth::depth_write(s, block, tile));
 stage!(blend, |s, block, pass, tile| output::blend_stage(s, block, pass, tile));
-stage!(iterated_end, |s, block, pass, tile| {
-    joined::run_joined::<S, false, true>(s, block, pass, tile)
-});
-stage!(texel_end, |s, block, pass, tile| {
-    joined::run_joined::<S, true, false>(s, block, pass, tile)
-});
-stage!(product_end, |s, block, pass, tile| {
-    joined::run_joined::<S, true, true>(s, block, pass, tile)
-});
+
+macro_rules! ends {
+    ($($name:ident $texel:literal $iterated:literal $long:literal)*) => {$(
+        stage!($name, |s, block, pass, tile| {
+            joined::run_joined::<S, $texel, $iterated, $long>(s, block, pass, tile)
+        });
+    )*};
+}
+
+ends! {
+    iterated_end false true false
+    texel_end true false false
+    product_end true true false
+    long_iterated_end false true true
+    long_texel_end true false true
+    long_product_end true true true
+}
 stage!(write_flat, |s, block, pass, tile| output::write_flat(s, block, pass, tile));
 stage!(write, |s, block, pass, tile| output::write(s, block, pass, tile));
 
@@ -154,58 +170,73 @@ fn pattern_stage<S: Simd>(_: S, block: &mut Block, pass: &Pass<'_>, tile: &mut T
     stipple::pattern(block, pass, tile);
 }
 
-/// The functions of a pipeline's stages at level `S`.
+/// The functions of a pipeline's stages at level `S`. Long ends are joined only at the
+/// widest: the narrower ones have half the registers for two to four times the vectors.
 pub(crate) fn stage_list<S: Simd>(stages: &[Stage], out: &mut StageList<S>) {
-    out.count = stages.len();
-    for (out, stage) in out.stages[..stages.len()].iter_mut().zip(stages) {
-        *out = match stage {
-            Stage::Stipple => stipple_stage,
-            Stage::Pattern => pattern_stage,
-            Stage::Depth => depth_stage,
-            Stage::KeepDepth => keep_depth,
-            Stage::ReadyDepth => ready_depth,
-            Stage::WideDepth => wide_depth_stage,
-            Stage::ReadyWideDepth => ready_wide_depth,
-            Stage::Address(0) => address_0,
-            Stage::Address(1) => address_1,
-            Stage::Address(_) => address_2,
-            Stage::Fetch(0) => fetch_0,
-            Stage::Fetch(1) => fetch_1,
-            Stage::Fetch(_) => fetch_2,
-            Stage::TexelKey(0) => texel_key_0,
-            Stage::TexelKey(1) => texel_key_1,
-            Stage::TexelKey(_) => texel_key_2,
-            Stage::AddressNext(0) => next_0,
-            Stage::AddressNext(1) => next_1,
-            Stage::AddressNext(_) => next_2,
-            Stage::MixNext(0) => mix_0,
-            Stage::MixNext(1) => mix_1,
-            Stage::MixNext(_) => mix_2,
-            Stage::TextureCombine(0) => texture_combine_0,
-            Stage::TextureCombine(1) => texture_combine_1,
-            Stage::TextureCombine(_) => texture_combine_2,
-            Stage::IterateColors => iterate_colors,
-            Stage::ChromaKey => chroma_key,
-            Stage::Combine => combine,
-            Stage::Decal => decal,
-            Stage::Overbright => overbright,
-            Stage::Specular => specular,
-            Stage::Background => background,
-            Stage::AlphaTest => alpha_test,
-            Stage::Fog => fog,
-            Stage::FogByPart => fog_by_part,
-            Stage::DepthWrite => depth_write,
-            Stage::Blend => blend,
-            Stage::BlendFully => blend_fully,
-            Stage::Write => write,
-            Stage::WriteBits => write_bits,
-            Stage::Flat => write_flat,
-            Stage::Joined(end) => match end.color {
-                ColorSource::Iterated => iterated_end,
-                ColorSource::Texel => texel_end,
-                ColorSource::Product => product_end,
-            },
-        };
+    out.count = 0;
+    for stage in stages {
+        match stage {
+            Stage::Joined(end) if end.is_long() && S::LANES < MAX_LANES => {
+                end.stages().for_each(|stage| out.push(stage_function(&stage)));
+            }
+            stage => out.push(stage_function(stage)),
+        }
+    }
+}
+
+/// The function of a stage.
+fn stage_function<S: Simd>(stage: &Stage) -> StageFn<S> {
+    match stage {
+        Stage::Stipple => stipple_stage,
+        Stage::Pattern => pattern_stage,
+        Stage::Depth => depth_stage,
+        Stage::KeepDepth => keep_depth,
+        Stage::ReadyDepth => ready_depth,
+        Stage::WideDepth => wide_depth_stage,
+        Stage::ReadyWideDepth => ready_wide_depth,
+        Stage::Address(0) => address_0,
+        Stage::Address(1) => address_1,
+        Stage::Address(_) => address_2,
+        Stage::Fetch(0) => fetch_0,
+        Stage::Fetch(1) => fetch_1,
+        Stage::Fetch(_) => fetch_2,
+        Stage::TexelKey(0) => texel_key_0,
+        Stage::TexelKey(1) => texel_key_1,
+        Stage::TexelKey(_) => texel_key_2,
+        Stage::AddressNext(0) => next_0,
+        Stage::AddressNext(1) => next_1,
+        Stage::AddressNext(_) => next_2,
+        Stage::MixNext(0) => mix_0,
+        Stage::MixNext(1) => mix_1,
+        Stage::MixNext(_) => mix_2,
+        Stage::TextureCombine(0) => texture_combine_0,
+        Stage::TextureCombine(1) => texture_combine_1,
+        Stage::TextureCombine(_) => texture_combine_2,
+        Stage::IterateColors => iterate_colors,
+        Stage::ChromaKey => chroma_key,
+        Stage::Combine => combine,
+        Stage::Decal => decal,
+        Stage::Overbright => overbright,
+        Stage::Specular => specular,
+        Stage::Background => background,
+        Stage::AlphaTest => alpha_test,
+        Stage::Fog => fog,
+        Stage::FogAmount => fog_amount,
+        Stage::FogByPart => fog_by_part,
+        Stage::DepthWrite => depth_write,
+        Stage::Blend => blend,
+        Stage::BlendFully => blend_fully,
+        Stage::Write => write,
+        Stage::WriteBits => write_bits,
+        Stage::Flat => write_flat,
+        Stage::Joined(end) => match (end.color, end.is_long()) {
+            (ColorSource::Iterated, false) => iterated_end,
+            (ColorSource::Texel, false) => texel_end,
+            (ColorSource::Product, false) => product_end,
+            (ColorSource::Iterated, true) => long_iterated_end,
+            (ColorSource::Texel, true) => long_texel_end,
+            (ColorSource::Product, true) => long_product_end,
+        },
     }
 }
 

@@ -20,7 +20,7 @@ pub use palette::{PALETTE_COORDINATE, PalettePrimitive, PaletteVertex};
 pub(crate) use palette::{Plane32, Shape, Texels, prepare_palette};
 pub use planes::MAX_SCALE;
 pub(crate) use planes::{
-    Edge, Narrow, Plane64, PlaneF, Screen, Triangle, Triangles, prepare, prepare_extra,
+    Edge, Narrow, Plane64, PlaneF, Screen, Triangle, Triangles, offset, prepare, prepare_extra,
 };
 pub(crate) use raw::{ATTRIBUTES, RawShape, Slots, Steps, Values, Walk, prepare_raw, side_range};
 pub use raw::{RawPrimitive, RawVertex};

@@ -142,7 +142,7 @@ impl ExactGroup {
 }
 
 impl PlaneF {
-    /// The value at an offset: see [`Triangle::offset`].
+    /// The value at an [`offset`].
     #[inline(always)]
     pub fn at(&self, [x, y]: [f64; 2]) -> f64 {
         self.start + x * self.dx + y * self.dy
@@ -199,13 +199,12 @@ impl Triangle {
         let down = |v: u32| (v & !(STAMP - 1)) as i32;
         (down(self.bounds.x0), down(self.bounds.y0))
     }
+}
 
-    /// From there to a pixel.
-    #[inline(always)]
-    pub fn offset(&self, x: i32, y: i32) -> [f64; 2] {
-        let (x0, y0) = self.origin();
-        [f64::from(x - x0), f64::from(y - y0)]
-    }
+/// From a triangle's [`Triangle::origin`] to a pixel.
+#[inline(always)]
+pub(crate) fn offset((x0, y0): (i32, i32), x: i32, y: i32) -> [f64; 2] {
+    [f64::from(x - x0), f64::from(y - y0)]
 }
 
 /// Triangles ready for the tiles, with their 64-bit planes, a group for each

@@ -377,7 +377,7 @@ impl Kernel for Fragments<'_, '_, '_> {
 #[inline(always)]
 fn plane<S: Simd>(s: S, [dx, dy, c]: &[f32; 3], place: Place, j: usize) -> S::G {
     let half = s.splat_g(0.5);
-    let x = S::G::from_i32(s.splat(place.x as i32) + s.load(&COLUMN[j..])) + half;
-    let y = S::G::from_i32(s.splat(place.y as i32) + s.load(&ROW[j..])) + half;
+    let x = S::G::from_i32(s.splat(place.x as i32) + s.load(&COLUMN.0[j..])) + half;
+    let y = S::G::from_i32(s.splat(place.y as i32) + s.load(&ROW.0[j..])) + half;
     s.splat_g(*dx) * x + s.splat_g(*dy) * y + s.splat_g(*c)
 }

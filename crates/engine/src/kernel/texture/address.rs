@@ -5,9 +5,9 @@ use fillrate_simd::{FloatLanes, IntLanes, Simd};
 use super::UnitPlan;
 use super::lod::{level_at, linear_lods, lod_at, smallest_w, smallest_w_below};
 use crate::kernel::Pass;
-use crate::kernel::block::{Block, Lanes, STAMP, Slot, any_live};
-use crate::kernel::lanes::ramp_wide;
-use crate::setup::{Plane64, PlaneF, Triangle};
+use crate::kernel::block::{BLOCK, Block, Lanes, STAMP, Slot, any_live};
+use crate::kernel::lanes::{Stamp, ramp_wide};
+use crate::setup::{Plane64, PlaneF, Triangle, offset};
 use crate::state::Filter;
 
 /// How one level is addressed, lane by lane.
@@ -24,20 +24,29 @@ struct LevelLanes<S: Simd> {
     fraction: S::I,
 }
 
-/// What a triangle's stamps share: the steps within a stamp, and its level of
-/// detail.
+/// What a triangle's stamps share: the planes, the steps within a stamp, and its
+/// level of detail.
 #[derive(Clone, Debug)]
 pub(crate) struct TextureSteps {
     pub(in crate::kernel) triangle: u32,
-    /// s and t times [`COORDINATE`].
-    s: [f64; STAMP],
-    t: [f64; STAMP],
-    w: [f64; STAMP],
+    /// What follows is not set beyond `base` where it is not.
+    exact: bool,
+    /// Level of detail of the triangle at w = 1, with the bias.
+    base: i32,
+    /// See [`Triangle::origin`].
+    origin: (i32, i32),
+    /// s and t times [`COORDINATE`], and w.
+    planes: [PlaneF; 3],
+    /// How they differ from a stamp's corner at each of its fragments.
+    ramps: [Stamp<f64>; 3],
     /// The most that w rises and falls within a stamp.
     rise: f64,
     fall: f64,
-    /// Level of detail of the triangle at w = 1, with the bias.
-    base: i32,
+    /// [`quotients_by_reciprocal`] is exact all over the triangle; s and t are half
+    /// more then.
+    by_reciprocal: bool,
+    /// And the unit upstream has the same reciprocals.
+    shared: bool,
     /// The level of the last stamp that had only one.
     last: Level,
 }
@@ -52,6 +61,14 @@ struct Level {
 
 /// Coordinates have 8 fraction bits.
 const COORDINATE: f64 = 256.0;
+/// Numerators below which a reciprocal gives exact quotients: see
+/// [`quotients_by_reciprocal`].
+const RECIPROCAL_LIMIT: f64 = (1u64 << 51) as f64;
+
+/// 1 / w of a block's fragments, kept for the next unit.
+#[derive(Clone, Debug)]
+#[repr(align(64))]
+pub(crate) struct Reciprocals(pub [f64; BLOCK]);
 
 /// A plane of texture coordinates times [`COORDINATE`].
 fn scaled(plane: &PlaneF) -> PlaneF {
@@ -59,28 +76,82 @@ fn scaled(plane: &PlaneF) -> PlaneF {
     PlaneF { start: start * COORDINATE, dx: dx * COORDINATE, dy: dy * COORDINATE }
 }
 
+/// s and t times [`COORDINATE`], and w, of an exact triangle.
+#[inline(always)]
+fn planes(pass: &Pass<'_>, plan: &UnitPlan, triangle: &Triangle) -> [PlaneF; 3] {
+    let [ps, pt, w] = pass.triangles.exact_unit(triangle, plan.index);
+    let w = if plan.unit.perspective { w } else { NO_PERSPECTIVE_F };
+    [scaled(&ps), scaled(&pt), w]
+}
+
+/// Whether w is positive and s and t are small enough for
+/// [`quotients_by_reciprocal`] wherever a triangle may have stamps.
+#[inline(always)]
+fn takes_reciprocal(triangle: &Triangle, [ps, pt, w]: &[PlaneF; 3]) -> bool {
+    let (x, y) = triangle.origin();
+    let right = f64::from(triangle.bounds.x1 as i32 + 3 - x);
+    let down = f64::from(triangle.bounds.y1 as i32 + 3 - y);
+    let largest = |p: &PlaneF| p.start.abs() + p.dx.abs() * right + p.dy.abs() * down;
+    let smallest = w.start + (w.dx * right).min(0.0) + (w.dy * down).min(0.0);
+    smallest > 0.0 && largest(ps) < RECIPROCAL_LIMIT && largest(pt) < RECIPROCAL_LIMIT
+}
+
 impl TextureSteps {
     pub const NONE: TextureSteps = TextureSteps {
         triangle: u32::MAX,
-        s: [0.0; STAMP],
-        t: [0.0; STAMP],
-        w: [0.0; STAMP],
+        exact: false,
+        base: 0,
+        origin: (0, 0),
+        planes: [PlaneF { start: 0.0, dx: 0.0, dy: 0.0 }; 3],
+        ramps: [const { Stamp([0.0; STAMP]) }; 3],
         rise: 0.0,
         fall: 0.0,
-        base: 0,
+        by_reciprocal: false,
+        shared: false,
         last: Level { number: 0, least: 0.0, limit: 0.0 },
     };
 
+    /// Goes to a triangle.
     #[inline(always)]
-    fn set<S: Simd>(&mut self, s: S, [ps, pt, w]: [PlaneF; 3], base: i32) {
-        ramp_wide(s, &scaled(&ps), &mut self.s);
-        ramp_wide(s, &scaled(&pt), &mut self.t);
-        ramp_wide(s, &w, &mut self.w);
+    fn enter<S: Simd>(&mut self, s: S, pass: &Pass<'_>, plan: &UnitPlan, at: &Slot) {
+        let triangle = pass.triangle(at);
+        self.triangle = at.triangle;
+        self.exact = triangle.exact;
+        self.base = triangle.lod_base[plan.index] + i32::from(plan.unit.lod.bias);
+        if !triangle.exact {
+            return;
+        }
+        self.origin = triangle.origin();
+        self.planes = planes(pass, plan, triangle);
+        self.by_reciprocal = takes_reciprocal(triangle, &self.planes);
+        let upstream = pass.pipeline.units.get(plan.index + 1).and_then(Option::as_deref);
+        self.shared = false;
+        if let Some(upstream) = upstream {
+            let upstream = planes(pass, upstream, triangle);
+            self.shared = self.by_reciprocal
+                && upstream[2] == self.planes[2]
+                && takes_reciprocal(triangle, &upstream);
+        }
+        for (plane, ramp) in self.planes.iter().zip(&mut self.ramps) {
+            ramp_wide(s, plane, &mut ramp.0);
+        }
+        if self.by_reciprocal {
+            self.planes[0].start += 0.5;
+            self.planes[1].start += 0.5;
+        }
+        let w = &self.planes[2];
         let (right, down) = (w.dx * 3.0, w.dy * 3.0);
         self.rise = right.max(0.0) + down.max(0.0);
         self.fall = right.min(0.0) + down.min(0.0);
-        self.base = base;
         self.last = Level { number: 0, least: 0.0, limit: 0.0 };
+    }
+
+    /// The planes' values at a stamp's corner.
+    #[inline(always)]
+    fn corner(&self, at: &Slot) -> [f64; 3] {
+        let offset = offset(self.origin, at.x, at.y);
+        let [ps, pt, w] = &self.planes;
+        [ps.at(offset), pt.at(offset), w.at(offset)]
     }
 
     /// The level of a stamp with w from `smallest` to `largest`; `None` where
@@ -115,51 +186,37 @@ const NO_PERSPECTIVE_F: PlaneF = PlaneF { start: (1u64 << 32) as f64, dx: 0.0, d
 /// addresses of both rows, and the weights.
 #[inline(always)]
 pub(crate) fn address<S: Simd>(s: S, block: &mut Block, pass: &Pass<'_>, plan: &UnitPlan) {
-    let Block { live, count, slots, lod, row0, row1, weight_s, weight_t, steps, .. } = block;
-    let steps = &mut steps.units[plan.index];
-    let mut out = Samples { row0, row1, weight_s, weight_t };
+    let Block { live, count, slots, lod, row0, row1, weight_s, weight_t, .. } = block;
+    let (steps, reciprocals) = (&mut block.steps.units[plan.index], &mut block.reciprocals);
+    let mut out = Samples { row0, row1, weight_s, weight_t, reciprocals };
     for (slot, &at) in slots[..*count].iter().enumerate() {
-        let triangle = pass.triangle(&at);
-        let base = triangle.lod_base[plan.index] + i32::from(plan.unit.lod.bias);
+        if at.triangle != steps.triangle {
+            steps.enter(s, pass, plan, &at);
+        }
         let lod = &mut lod.0[slot * STAMP..][..STAMP];
-        if !triangle.exact {
-            let planes = integer_planes(pass, triangle, plan);
-            lods_of_stamp(lod, plan, &planes[2], base, at);
-            inexact_stamp(s, &mut out, plan, planes, (slot, at), lod);
+        if plan.needs_lod || !steps.exact {
+            lods_of_stamp(lod, plan, &integer_w(pass, plan, &at), steps.base, at);
+        }
+        if !steps.exact {
+            inexact_stamp(s, &mut out, pass, plan, (slot, at), lod);
             continue;
         }
+        let (live, corner) = ((*live >> (slot * STAMP)) as u32, steps.corner(&at));
         if plan.needs_lod {
-            let w = pass.triangles.unit_w(triangle, plan.index);
-            let w = if plan.unit.perspective { w } else { NO_PERSPECTIVE };
-            lods_of_stamp(lod, plan, &w, base, at);
-        }
-        let mut planes = pass.triangles.exact_unit(triangle, plan.index);
-        if !plan.unit.perspective {
-            planes[2] = NO_PERSPECTIVE_F;
-        }
-        if at.triangle != steps.triangle {
-            steps.triangle = at.triangle;
-            steps.set(s, planes, base);
-        }
-        let live = (*live >> (slot * STAMP)) as u32;
-        let offset = triangle.offset(at.x, at.y);
-        let values = [planes[0].at(offset), planes[1].at(offset), planes[2].at(offset)];
-        if plan.needs_lod {
-            stamp::<S, true>(s, &mut out, plan, values, (slot, live), lod, steps);
+            stamp::<S, true>(s, &mut out, plan, corner, (slot, live), lod, steps);
         } else {
-            stamp::<S, false>(s, &mut out, plan, values, (slot, live), lod, steps);
+            stamp::<S, false>(s, &mut out, plan, corner, (slot, live), lod, steps);
         }
     }
 }
 
-/// The planes where floats will not do.
+/// w where floats will not do.
 #[inline(always)]
-fn integer_planes(pass: &Pass<'_>, triangle: &Triangle, plan: &UnitPlan) -> [Plane64; 3] {
-    let mut planes = pass.triangles.unit(triangle, plan.index);
-    if !plan.unit.perspective {
-        planes[2] = NO_PERSPECTIVE;
+fn integer_w(pass: &Pass<'_>, plan: &UnitPlan, at: &Slot) -> Plane64 {
+    match plan.unit.perspective {
+        true => pass.triangles.unit_w(pass.triangle(at), plan.index),
+        false => NO_PERSPECTIVE,
     }
-    planes
 }
 
 /// Where a unit's samples are described.
@@ -168,6 +225,7 @@ struct Samples<'a> {
     row1: &'a mut Lanes,
     weight_s: &'a mut Lanes,
     weight_t: &'a mut Lanes,
+    reciprocals: &'a mut Reciprocals,
 }
 
 /// Levels of detail of a stamp's fragments, one by one.
@@ -204,11 +262,13 @@ fn quotient(s: i64, w: i64, clamp_negative_w: bool) -> i32 {
 fn inexact_stamp<S: Simd>(
     s: S,
     out: &mut Samples<'_>,
+    pass: &Pass<'_>,
     plan: &UnitPlan,
-    [ps, pt, pw]: [Plane64; 3],
     (slot, at): (usize, Slot),
     lods: &[i32],
 ) {
+    let [ps, pt, _] = pass.triangles.unit(pass.triangle(&at), plan.index);
+    let pw = integer_w(pass, plan, &at);
     let (mut qs, mut qt) = ([0; STAMP], [0; STAMP]);
     for i in 0..STAMP {
         let (x, y) = (at.x + (i & 3) as i32, at.y + (i >> 2) as i32);
@@ -228,7 +288,7 @@ fn inexact_stamp<S: Simd>(
     }
 }
 
-/// A stamp in float lanes, from s, t and w at its first fragment; `LODS` where
+/// A stamp in float lanes, from the planes' values at its corner; `LODS` where
 /// levels come from `lods`. What is not live keeps what was there.
 #[inline(always)]
 fn stamp<S: Simd, const LODS: bool>(
@@ -243,17 +303,22 @@ fn stamp<S: Simd, const LODS: bool>(
     // w is linear, so its extremes are at corners.
     let (smallest, largest) = (corner_w + steps.fall, corner_w + steps.rise);
     let level = if LODS { None } else { steps.level(plan, smallest, largest) };
-    let (base_s, base_t) = (s.splat_f(corner_s * COORDINATE), s.splat_f(corner_t * COORDINATE));
-    let base_w = s.splat_f(corner_w);
+    let (base_s, base_t) = (s.splat_f(corner_s), s.splat_f(corner_t));
+    let (base_w, [ramp_s, ramp_t, ramp_w]) = (s.splat_f(corner_w), &steps.ramps);
     for j in (0..STAMP).step_by(S::LANES) {
         if S::ONE_BY_ONE && !any_live::<S>(live, j) {
             continue;
         }
         let k = slot * STAMP + j;
-        let w = base_w + s.load_f(&steps.w[j..]);
-        let coordinates = [base_s + s.load_f(&steps.s[j..]), base_t + s.load_f(&steps.t[j..])];
-        let quotients = if smallest > 0.0 {
-            quotients(coordinates, w)
+        let w = base_w + s.load_f(&ramp_w.0[j..]);
+        let coordinates = [base_s + s.load_f(&ramp_s.0[j..]), base_t + s.load_f(&ramp_t.0[j..])];
+        let quotients = if steps.by_reciprocal {
+            let kept = &mut out.reciprocals.0[k..];
+            let reciprocal = if steps.shared { s.load_f(kept) } else { s.splat_f(1.0) / w };
+            if plan.index > 0 {
+                s.store_f(reciprocal, kept);
+            }
+            quotients_by_reciprocal(coordinates, reciprocal)
         } else {
             signed_quotients(s, coordinates, w, plan.unit.clamp_negative_w)
         };
@@ -270,7 +335,19 @@ fn stamp<S: Simd, const LODS: bool>(
     }
 }
 
-/// [`quotient`] of coordinates times [`COORDINATE`], where w is positive.
+/// [`quotient`] of a + 1/2 where w is positive, from the reciprocal of w as
+/// division rounds it; a, the coordinate times [`COORDINATE`], is below
+/// [`RECIPROCAL_LIMIT`] in magnitude.
+///
+/// It is exact: (a + 1/2) / w is 1 / 2w or more from every integer, and its floor is
+/// that of a / w. Reciprocal and product are rounded by 2^-53 each, so the product errs
+/// by |a + 1/2| / w * (2^-52 + 2^-106) at most, which is less for |a| < 2^51.
+#[inline(always)]
+fn quotients_by_reciprocal<F: FloatLanes>([a, b]: [F; 2], reciprocal: F) -> [F::I; 2] {
+    [(a * reciprocal).floor_i32(), (b * reciprocal).floor_i32()]
+}
+
+/// [`quotient`] of coordinates times [`COORDINATE`].
 #[inline(always)]
 fn quotients<F: FloatLanes>([a, b]: [F; 2], w: F) -> [F::I; 2] {
     [(a / w).floor_i32(), (b / w).floor_i32()]
@@ -414,5 +491,63 @@ fn confine<S: Simd, const BORDER: bool>(
         (false, _) => x & (mask.shl(8) | s.splat(0xff)),
         (true, false) => x.max(s.splat(0)).min(mask.shl(8)),
         (true, true) => x.max(s.splat(0) - edge).min(mask.shl(8) + edge),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use fillrate_simd::{Kernel, Level};
+
+    struct ByReciprocal(Vec<[i64; 2]>);
+
+    impl Kernel for ByReciprocal {
+        type Output = Vec<i32>;
+        #[inline(always)]
+        fn run<S: Simd>(self, s: S) -> Vec<i32> {
+            let mut out = vec![0; self.0.len()];
+            for (pairs, out) in self.0.chunks_exact(16).zip(out.chunks_exact_mut(16)) {
+                let (mut a, mut w) = ([0.0; 16], [0.0; 16]);
+                for (i, pair) in pairs.iter().enumerate() {
+                    (a[i], w[i]) = (pair[0] as f64 + 0.5, pair[1] as f64);
+                }
+                for j in (0..16).step_by(S::LANES) {
+                    let a = s.load_f(&a[j..]);
+                    let reciprocal = s.splat_f(1.0) / s.load_f(&w[j..]);
+                    s.store(quotients_by_reciprocal([a, a], reciprocal)[0], &mut out[j..]);
+                }
+            }
+            out
+        }
+    }
+
+    /// Quotients that are whole, or miss that by one part, are where a reciprocal
+    /// would err.
+    #[test]
+    fn reciprocals_give_exact_quotients() {
+        let limit = RECIPROCAL_LIMIT as i64 - 1;
+        let mut seed = 1u64;
+        let mut random = |bits: u32| {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (seed >> 11) as i64 & ((1 << bits) - 1)
+        };
+        let mut pairs = Vec::new();
+        while pairs.len() < 960_000 {
+            let bits = 1 + random(6) as u32 % 46;
+            let w = random(bits) + 1;
+            let most = limit / w;
+            let whole = (random(51) % (most + 1)) * w;
+            let near = [whole, whole + 1, whole - 1, most * w, most * w - 1, limit];
+            for a in near.map(|a| a.clamp(0, limit)) {
+                pairs.extend([[a, w], [-a, w]]);
+            }
+        }
+        let floor = |&[a, w]: &[i64; 2]| {
+            a.div_euclid(w).clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32
+        };
+        let expected: Vec<i32> = pairs.iter().map(floor).collect();
+        for level in Level::available() {
+            assert_eq!(level.dispatch(ByReciprocal(pairs.clone())), expected, "{level}");
+        }
     }
 }

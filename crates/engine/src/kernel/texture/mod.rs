@@ -9,8 +9,8 @@ mod key;
 mod lod;
 mod plan;
 
-pub(crate) use address::{TextureSteps, address};
-pub(crate) use combine::texture_combine;
+pub(crate) use address::{Reciprocals, TextureSteps, address};
+pub(crate) use combine::{multiplied_texels, texture_combine};
 pub(crate) use fetch::{fetch, mix_next, texels};
 pub(crate) use key::texel_key;
 pub(crate) use lod::lod_base;

@@ -37,6 +37,8 @@ pub(crate) struct UnitPlan {
     pub has_border: bool,
     /// The combine unit passes the texel through.
     pub texel_only: bool,
+    /// The combine unit multiplies the texel with the unit upstream.
+    pub multiplies: bool,
     /// The unit upstream counts.
     pub has_other: bool,
     /// Where levels are mixed: the same plan one level coarser.
@@ -83,6 +85,7 @@ impl UnitPlan {
                 || texture.border().is_some(),
             point: unit.minify == Filter::Point && unit.magnify == Filter::Point,
             texel_only: passes_texel(&combine),
+            multiplies: multiplies(&combine) && !unit.trilinear,
             has_other,
             next: None,
             is_next: coarser > 0,
@@ -109,6 +112,14 @@ fn passes_texel(combine: &TextureCombine) -> bool {
     combine.color.passes_local()
         && combine.color.add == Addend::Local
         && combine.alpha.passes_local()
+}
+
+/// Whether the unit's output is its texel times that of the unit upstream, if no
+/// level inverts factors.
+fn multiplies(combine: &TextureCombine) -> bool {
+    let TextureCombine { color, alpha } = combine;
+    let own_alpha = matches!(alpha.factor, TextureFactor::Local | TextureFactor::LocalAlpha);
+    color.scales() && alpha.scales() && color.factor == TextureFactor::Local && own_alpha
 }
 
 fn uses_lod(combine: &TextureCombine, trilinear: bool) -> bool {
