@@ -6,11 +6,11 @@
 
 use fillrate_simd::Simd;
 
-use super::block::{Block, STAMP, Strip, any_live};
+use super::block::{Block, STAMP, Slot, Strip, any_live};
 use super::fog::FogColor;
 use super::iterate::{ColorIterators, iterated_colors};
 use super::lanes::{join as join_halves, places};
-use super::output::{blended, pack};
+use super::output::{blended, copy_strip, pack};
 use super::pipeline::{Pipeline, Stage};
 use super::texture::{multiplied_texels, texels};
 use super::{ColorTile, Pass, Tile};
@@ -58,6 +58,11 @@ impl Joined {
     /// where a stamp is one vector; elsewhere its stages run one by one.
     pub fn is_long(&self) -> bool {
         self.chain || self.fog
+    }
+
+    /// Whether iterated colours are written, blended or not, and nothing else is done.
+    pub fn is_iterated(&self) -> bool {
+        self.color == ColorSource::Iterated && !self.is_long()
     }
 
     /// The single stages that it stands for.
@@ -240,12 +245,56 @@ fn finished<S: Simd, const BLEND: bool, const DITHER: bool>(
 #[inline(always)]
 pub(super) fn iterated_strip<S: Simd>(s: S, strip: &Strip, pass: &Pass<'_>, tile: &mut Tile<'_>) {
     let state = &pass.pipeline.state;
+    let one_color = pass.triangle(&strip.first).narrow.has_one_color();
     match (state.blend.is_some(), state.dither != Dither::Off) {
+        (false, false) if one_color => one_color_strip::<S, false>(s, strip, pass, tile),
+        (false, true) if one_color => one_color_strip::<S, true>(s, strip, pass, tile),
         (false, false) => strip_fragments::<S, false, false>(s, strip, pass, tile),
         (false, true) => strip_fragments::<S, false, true>(s, strip, pass, tile),
         (true, false) => strip_fragments::<S, true, false>(s, strip, pass, tile),
         (true, true) => strip_fragments::<S, true, true>(s, strip, pass, tile),
     }
+}
+
+/// A strip of a triangle whose corners have one colour: every stamp is the same.
+#[inline(always)]
+fn one_color_strip<S: Simd, const DITHER: bool>(
+    s: S,
+    strip: &Strip,
+    pass: &Pass<'_>,
+    tile: &mut Tile<'_>,
+) {
+    let ColorTile::Bits16(pixels, _) = &mut tile.color else { return };
+    copy_strip(s, &iterated_stamp::<S, DITHER>(s, pass, &strip.first), strip, pixels);
+    tile.counters.pixels_out += strip.len();
+}
+
+/// The iterated colours of a stamp, as they are written without blending.
+#[inline(always)]
+fn iterated_stamp<S: Simd, const DITHER: bool>(s: S, pass: &Pass<'_>, at: &Slot) -> [u16; STAMP] {
+    let (mut stamp, narrow) = ([0; STAMP], &pass.triangle(at).narrow);
+    for j in (0..STAMP).step_by(S::LANES) {
+        let color = iterated_colors::<S, false>(s, narrow, places(s, at.x, at.y, j));
+        let color = finished::<S, false, DITHER>(s, pass, [color, color], &[], &[], j);
+        s.store16_all(color, &mut stamp[j..]);
+    }
+    stamp
+}
+
+/// What a triangle of a state that [`Pipeline::replaces_tile`] leaves in every stamp;
+/// `None` where its colours differ. `at` is one of its stamps.
+#[inline(always)]
+pub(crate) fn one_stamp<S: Simd>(s: S, pass: &Pass<'_>, at: &Slot) -> Option<[u16; STAMP]> {
+    if pass.pipeline.flat.is_some() {
+        return pass.pipeline.flat;
+    }
+    if !pass.triangle(at).narrow.has_one_color() {
+        return None;
+    }
+    Some(match pass.pipeline.state.dither {
+        Dither::Off => iterated_stamp::<S, false>(s, pass, at),
+        _ => iterated_stamp::<S, true>(s, pass, at),
+    })
 }
 
 #[inline(always)]

@@ -28,6 +28,7 @@ mod stages;
 mod stipple;
 mod wide_depth;
 
+pub(crate) use joined::one_stamp;
 pub(crate) use pipeline::Pipeline;
 pub(crate) use stages::{StageList, StripFn, run, stage_list, strip_function};
 

@@ -350,6 +350,12 @@ pub(crate) fn flat_strip<S: Simd>(s: S, strip: &Strip, pass: &Pass<'_>, tile: &m
     let Some(stamp) = &pass.pipeline.flat else { return };
     let ColorTile::Bits16(pixels, _) = &mut tile.color else { return };
     tile.counters.pixels_out += strip.len();
+    copy_strip(s, stamp, strip, pixels);
+}
+
+/// Writes the live fragments of a strip whose stamps are all the same.
+#[inline(always)]
+pub(super) fn copy_strip<S: Simd>(s: S, stamp: &[u16; STAMP], strip: &Strip, pixels: &mut [u16]) {
     for (live, to) in strip.live.iter().zip(strip.elements(pixels)) {
         copy_stamp(s, stamp, to, *live);
     }

@@ -211,10 +211,15 @@ impl Pipeline {
         });
     }
 
-    /// Whether a triangle that covers a tile replaces all its colours and
-    /// changes nothing else.
+    /// Whether a triangle of one colour that covers a tile replaces all its colours
+    /// and changes nothing else.
     pub fn replaces_tile(&self) -> bool {
-        self.early == early::NONE && self.stages == [Stage::Flat]
+        let alone = match self.stages[..] {
+            [Stage::Flat] => true,
+            [Stage::Joined(end)] => end.is_iterated() && !end.blend,
+            _ => false,
+        };
+        self.early == early::NONE && alone
     }
 
     /// Compiles the stages that ready-made fragments pass: no texturing, no

@@ -79,9 +79,7 @@ strip!(flat_strip, output::flat_strip);
 /// The function that draws strips by these stages, where there is one.
 pub(crate) fn strip_function<S: Simd>(stages: &[Stage]) -> Option<StripFn<S>> {
     match stages {
-        [Stage::Joined(end)] if end.color == ColorSource::Iterated && !end.is_long() => {
-            Some(iterated_strip)
-        }
+        [Stage::Joined(end)] if end.is_iterated() => Some(iterated_strip),
         [Stage::Flat] => Some(flat_strip),
         _ => None,
     }

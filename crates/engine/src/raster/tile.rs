@@ -15,8 +15,8 @@ use crate::device::arena::{Arena, BatchState, Clear, Pixel, Run};
 use crate::kernel::block::{Block, SLOTS, STAMP, Slot, Strip};
 use crate::kernel::depth::{DepthTest, early, test_strip};
 use crate::kernel::{
-    self as stages, ColorTile, Pass, Pipeline, StageList, StripFn, Tile, run, stage_list,
-    strip_function,
+    self as stages, ColorTile, Pass, Pipeline, StageList, StripFn, Tile, one_stamp, run,
+    stage_list, strip_function,
 };
 use crate::setup::{Shape, Triangle, Triangles};
 use crate::state::{Dither, Rect};
@@ -386,20 +386,25 @@ impl<'a, S: Simd> TilePainter<'a, S> {
     /// if that is what it is.
     #[inline(always)]
     fn replaces_tile(&mut self, job: &Job<'a>, target: &mut Target<'_>) -> bool {
-        let Some(stamp) = job.current.pipeline.flat else { return false };
+        let pipeline = job.current.pipeline;
         let visible = target.rect.intersect(&self.grid.bounds);
         let area = &self.coverage.area;
         let whole = self.coverage.is_full()
             && area.contains(&visible)
             && job.current.clip.contains(&visible)
-            && job.current.pipeline.replaces_tile();
-        if whole {
-            self.finish(job.triangles, target);
-            self.counters.pixels_in += visible.area();
-            self.counters.pixels_out += visible.area();
-            target.color.clear(stamp.map(i32::from));
+            && pipeline.replaces_tile();
+        if !whole {
+            return false;
         }
-        whole
+        let pass = Pass { pipeline, triangles: job.triangles };
+        let (x, y) = (area.x0 as i32, area.y0 as i32);
+        let at = Slot { triangle: job.index, at: 0, x, y };
+        let Some(stamp) = one_stamp(self.s, &pass, &at) else { return false };
+        self.finish(job.triangles, target);
+        self.counters.pixels_in += visible.area();
+        self.counters.pixels_out += visible.area();
+        target.color.clear(stamp.map(i32::from));
+        true
     }
 
     /// Whether depth bounds hide a triangle. Otherwise the bounds are updated for

@@ -73,6 +73,14 @@ impl Narrow {
             .wrapping_add(self.dy[lane].wrapping_mul(y))
     }
 
+    /// Whether red, green and blue are the same everywhere.
+    #[inline(always)]
+    pub fn has_one_color(&self) -> bool {
+        let [r, g, b, ..] = self.dx;
+        let [r_down, g_down, b_down, ..] = self.dy;
+        r | g | b | r_down | g_down | b_down == 0
+    }
+
     /// The least and the greatest value of an attribute between a pixel and the
     /// one so many columns to its right and rows below; right where nothing wraps
     /// between them.
