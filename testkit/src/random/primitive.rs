@@ -14,6 +14,11 @@ pub fn vertices(rng: &mut Rng, width: u32, height: u32) -> [Vertex; 3] {
     let corners = corners(rng, width as f32, height as f32);
     let style = Style::random(rng);
     let mut out = corners.map(|(x, y)| style.vertex(rng, x, y));
+    if rng.one_in(4) {
+        // Of one colour.
+        let Vertex { r, g, b, a, .. } = out[0];
+        out = out.map(|vertex| Vertex { r, g, b, a, ..vertex });
+    }
     if rng.one_in(20) {
         spoil(rng, &mut out);
     }
@@ -194,9 +199,10 @@ pub fn verite_corners(rng: &mut Rng, width: u32, height: u32) -> [(VeriteVertex,
             }
         }
     };
-    let plain = rng.one_in(3);
+    let (plain, one_color) = (rng.one_in(3), rng.maybe(4, |rng| [(); 4].map(|()| color(rng))));
     corners.map(|(x, y)| {
         let [first, second] = [(); 2].map(|()| [(); 4].map(|()| color(rng)));
+        let first = one_color.unwrap_or(first);
         let (x, y) = ((x * 16.0) as i16, (y * 16.0) as i16);
         let vertex = VeriteVertex { color: first, z: depth(rng), x, y };
         let extra = VeriteExtra { specular: second, texel: texel(rng) };
